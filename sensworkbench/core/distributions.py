@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tolerances and the four moments of their distributions - all that the exact indices need of an input.
+
+The exact variance decomposition of Y = XᵀAX (see `sobol`) takes the mean and the central moments 2, 3, 4 of each
+independent input, whatever its distribution.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .errors import COMPONENTS, PAPER_SYMBOLS, component
+from .refusal import Refused
+
+UM, URAD = 1e-3, 1e-6  # in mm and rad
+
+DISTRIBUTIONS = ("uniform", "normal", "truncated_normal", "triangular", "u_shaped", "point")
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """Limits of one error and how it is distributed between them (mm or rad).
+
+    uniform : flat between the limits (the paper's choice).
+    normal : mean half way, limits at +-3 standard deviations (or `sigma`); not cut off.
+    truncated_normal : normal with `sigma` (default a quarter of the width) cut off at the limits.
+    triangular : peak half way.  u_shaped : arcsine, the law of a sinusoid sampled at random.
+    point : a known constant, the middle of the limits; no variance.
+    """
+
+    lower: float
+    upper: float
+    distribution: str = "uniform"
+    sigma: float | None = None
+
+    def __post_init__(self):
+        values = [self.lower, self.upper] + ([] if self.sigma is None else [self.sigma])
+        for value in values:
+            if isinstance(value, bool) or not isinstance(value, (int, float, np.floating, np.integer)):
+                raise Refused(f"tolerance limit {value!r} is not a number")
+            if not math.isfinite(value):
+                raise Refused(f"tolerance limit {value!r} is not finite", do="Give a finite number.")
+        if self.upper < self.lower:
+            raise Refused(
+                f"upper limit {self.upper:g} is below lower limit {self.lower:g}", do="Exchange the two limits."
+            )
+        if self.distribution not in DISTRIBUTIONS:
+            raise Refused(f"unknown distribution {self.distribution!r}", do=f"Use one of {', '.join(DISTRIBUTIONS)}.")
+        if self.sigma is not None:
+            if self.distribution not in ("normal", "truncated_normal"):
+                raise Refused(f"sigma means nothing for a {self.distribution} distribution", do="Leave it out.")
+            if self.sigma <= 0:
+                raise Refused(f"sigma {self.sigma:g} is not positive")
+
+    @property
+    def moments(self) -> tuple[float, float, float, float]:
+        """(mean, variance, third central moment, fourth central moment)."""
+        middle, width = (self.lower + self.upper) / 2, self.upper - self.lower
+        if width == 0 or self.distribution == "point":
+            return middle, 0.0, 0.0, 0.0
+        if self.distribution == "uniform":
+            return middle, width**2 / 12, 0.0, width**4 / 80
+        if self.distribution == "triangular":
+            return middle, width**2 / 24, 0.0, width**4 / 240
+        if self.distribution == "u_shaped":
+            return middle, width**2 / 8, 0.0, width**4 * 3 / 128
+        if self.distribution == "normal":
+            sigma = self.sigma or width / 6
+            return middle, sigma**2, 0.0, 3 * sigma**4
+        sigma = self.sigma or width / 4
+        c = width / 2 / sigma  # cut at +-c standard deviations
+        if c < 0.05:  # cancels below; to c^4/... a nearly flat law cut this short is uniform to 1e-3 c^2
+            return middle, width**2 / 12, 0.0, width**4 / 80
+        density = math.exp(-c * c / 2) / math.sqrt(2 * math.pi)
+        mass = math.erf(c / math.sqrt(2))
+        second = 1 - 2 * c * density / mass
+        fourth = 3 * second - 2 * c**3 * density / mass
+        return middle, sigma**2 * second, 0.0, sigma**4 * fourth
+
+    def scaled(self, ratio: float) -> Tolerance:
+        """The same law about the same middle with its width times `ratio` (0 freezes the error)."""
+        middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2 * ratio
+        sigma = self.sigma * ratio if self.sigma and ratio > 0 else None
+        return Tolerance(middle - half, middle + half, self.distribution, sigma)
+
+
+@dataclass(frozen=True)
+class Moments:
+    """Moments of n independent inputs: `mean`, `var`, `third`, `fourth` (central), each of shape (n,)."""
+
+    mean: np.ndarray
+    var: np.ndarray
+    third: np.ndarray
+    fourth: np.ndarray
+
+
+def moments(tolerances) -> Moments:
+    """`Moments` of a sequence of `Tolerance`."""
+    table = np.array([t.moments for t in tolerances], dtype=float).reshape(-1, 4)
+    return Moments(*np.ascontiguousarray(table.T))
+
+
+def paper_tolerance(symbol: str) -> Tolerance:
+    """Park & Yang 2012 section 4, uniform: straightness +-5 um, linear displacement +-1 um, spindle axial +-0.5 and
+    radial +-2 um, the nine angles and three squareness errors +-20 urad; spindle angles and workpiece zero."""
+    c = component(symbol)
+    if c.body == "W" or (c.body == "T" and c.angular):
+        half = 0.0
+    elif c.angular:
+        half = 20 * URAD
+    elif c.body == "T":
+        half = (0.5 if c.axis == 2 else 2) * UM
+    else:
+        half = (1 if "XYZ"[c.axis] == c.body else 5) * UM
+    return Tolerance(-half, half, "uniform")
+
+
+def with_defaults(given: dict[str, Tolerance]) -> dict[str, Tolerance]:
+    """The tolerances of a machine: the paper's 24, overridden and extended by `given`.  Order: ISO, then extras."""
+    table = {s: given.get(s, paper_tolerance(s)) for s in PAPER_SYMBOLS}
+    table |= {s: given[s] for s in COMPONENTS if s in given and s not in table}
+    return table
