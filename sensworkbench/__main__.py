@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`python -m sensworkbench`."""
+
+from __future__ import annotations
+
+import sys
+
+from sensworkbench.cli import main
+
+sys.exit(main(sys.argv[1:]))

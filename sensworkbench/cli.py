@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: `python -m sensworkbench sensitivity|trace|predict|plan|demo`.
+
+Exit status 0: done, whatever the verdict; 2: the input was refused, with one message on stderr and nothing written;
+1: a defect of the program.  The verbs are the same under plain Python (machine.json) and inside FreeCAD (FCStd).
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import sys
+import tempfile
+import traceback
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from sensworkbench import __version__
+from sensworkbench.core.refusal import Refused
+
+DONE, DEFECT, REFUSED = 0, 1, 2
+
+_VALUED = ("--at", "--weights")  # options whose value may begin with a minus sign
+
+
+class _Parser(argparse.ArgumentParser):
+    """Refuses instead of ending the program, so that every way out passes through `main`."""
+
+    def error(self, message):
+        raise Refused(message, self.prog, f"See {self.prog} --help.")
+
+
+def parser() -> argparse.ArgumentParser:
+    """The grammar of the command line."""
+    top = _Parser(
+        prog="python -m sensworkbench",
+        description="Which part of a machine tool spoils its accuracy, and what the error model lacks.",
+        allow_abbrev=False,
+    )
+    top.add_argument("--version", action="version", version=f"Sens Workbench {__version__}")
+    verbs = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Parser)
+
+    verb = verbs.add_parser(
+        "sensitivity", help="exact sensitivity indices of every error and component", allow_abbrev=False
+    )
+    verb.add_argument(
+        "machine", metavar="MACHINE", help="machine.json, or a FreeCAD document (.FCStd) that holds a machine"
+    )
+    verb.add_argument("--out", metavar="DIR", required=True, help="folder for sensitivity.json, .csv and report.html")
+    where = verb.add_mutually_exclusive_group()
+    where.add_argument("--at", metavar="X,Y,Z", type=_triple, help="at one position, mm")
+    where.add_argument(
+        "--grid", metavar="N", type=_counts, help="mean over a grid of N (or NX,NY,NZ) positions per axis"
+    )
+    where.add_argument("--quadrature", metavar="N", type=_counts, help="mean by Gauss-Legendre quadrature (default, 8)")
+    verb.add_argument(
+        "--weights", metavar="WX,WY,WZ", type=_triple, help="weights of the three components (default 1,1,1)"
+    )
+    verb.add_argument("--output", choices=("position", "orientation"), default="position", help="what is judged")
+    verb.add_argument(
+        "--signed", action="store_true", help="the weighted sum of the components instead of their squares"
+    )
+    verb.add_argument(
+        "--squareness", choices=("direction", "carried"), help="convention, in place of the machine's own"
+    )
+    verb.add_argument("--tolerances", metavar="FILE", help="tolerances (.csv or .json) in place of the machine's own")
+    verb.add_argument("--angle-unit", choices=("urad", "arcsec"), default="urad", help="unit of angles in the results")
+    verb.add_argument("--picture", metavar="PNG", help="picture of the machine for the report")
+    verb.set_defaults(run=_sensitivity)
+
+    verb = verbs.add_parser("demo", help="an example machine from design to report", allow_abbrev=False)
+    verb.add_argument("--out", metavar="DIR", required=True, help="folder for everything it makes")
+    verb.set_defaults(run=_demo)
+    return top
+
+
+def _triple(text: str) -> tuple[float, float, float]:
+    try:
+        values = tuple(float(v) for v in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not three numbers X,Y,Z")
+    return values
+
+
+def _counts(text: str):
+    try:
+        values = [int(v) for v in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) not in (1, 3) or any(not 1 <= v <= 10**6 for v in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of positions, N or NX,NY,NZ")
+    return values[0] if len(values) == 1 else tuple(values)
+
+
+def _joined(argv: Sequence[str]) -> list[str]:
+    """`--at -10,5,3` as `--at=-10,5,3`: argparse would take the value for an option."""
+    out: list[str] = []
+    for word in argv:
+        if out and out[-1] in _VALUED and word[:1] == "-" and word[1:2] in tuple("0123456789.niNI"):
+            out[-1] += "=" + word
+        else:
+            out.append(word)
+    return out
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status.  Prints what was written to stdout and refusals to stderr."""
+    argv = [str(a) for a in (sys.argv[1:] if argv is None else argv)]
+    try:
+        arguments = parser().parse_args(_joined(argv))
+        arguments.argv = argv
+        return arguments.run(arguments)
+    except Refused as refused:
+        _say(refused.message, sys.stderr)
+        return REFUSED
+    except SystemExit as end:  # --help and --version
+        return int(end.code or 0)
+    except (KeyboardInterrupt, BrokenPipeError):
+        return DEFECT
+    except Exception as error:  # noqa: BLE001 - the last line of defence: a defect is reported, never shown raw
+        _report_defect(error)
+        return DEFECT
+
+
+def _say(text: str, stream=None) -> None:
+    stream = sys.stdout if stream is None else stream
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    print(text.encode(encoding, "replace").decode(encoding, "replace"), file=stream, flush=True)
+
+
+def _report_defect(error: Exception) -> None:
+    text = "".join(traceback.format_exception(error))
+    if os.environ.get("SENS_DEBUG"):
+        _say(text, sys.stderr)
+        return
+    where = "set SENS_DEBUG=1 to see where"
+    try:
+        handle, path = tempfile.mkstemp(prefix="sensworkbench-", suffix=".log")
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        where = f"details are in {path}"
+    except OSError:
+        pass
+    _say(f"This is a defect of Sens Workbench, not of your input: {type(error).__name__}; {where}.", sys.stderr)
+
+
+def is_document(path) -> bool:
+    """Whether a MACHINE argument is a FreeCAD document."""
+    return Path(path).suffix.lower() == ".fcstd"
+
+
+def in_freecad() -> bool:
+    """Whether the program runs inside FreeCAD."""
+    return "FreeCAD" in sys.modules
+
+
+def _in_document(arguments) -> int:
+    """Hand a verb on a document to FreeCAD: the batch run when inside, a new FreeCAD process when not."""
+    if not Path(arguments.machine).is_file():
+        raise Refused("cannot be read: no such file", arguments.machine, "Check the name.")
+    if in_freecad():
+        return importlib.import_module("sensworkbench.document.batch").run(arguments.argv)
+    return importlib.import_module("sensworkbench.document.handoff").run(arguments.argv)
+
+
+# -- sensitivity -----------------------------------------------------------------------------------------------------
+def _sensitivity(arguments) -> int:
+    if is_document(arguments.machine):
+        return _in_document(arguments)
+    from sensworkbench.formats import machine_json
+
+    machine = machine_json.load(arguments.machine)
+    for path in sensitivity_outputs(machine, arguments, arguments.out):
+        _say(str(path))
+    return DONE
+
+
+def sensitivity_outputs(
+    machine, arguments, folder, extra: Callable[[Path], None] | None = None, picture=None
+) -> list[Path]:
+    """Compute and write sensitivity.json, sensitivity.csv and report.html to `folder`; returns their paths.
+
+    extra : called with the temporary folder and the result before anything is moved, to add files of its own.
+    picture : PNG bytes of the machine for the report.
+    """
+    from sensworkbench.core import workspace
+    from sensworkbench.formats import report, sensitivity_out
+    from sensworkbench.formats.files import staged
+
+    machine = with_options(machine, arguments)
+    objective = workspace.Objective(arguments.output, arguments.weights or (1.0, 1.0, 1.0), arguments.signed)
+    if picture is None and arguments.picture:
+        picture = read_picture(arguments.picture)
+    if arguments.at is not None:
+        positions = workspace.at(machine, arguments.at)
+    elif arguments.grid is not None:
+        positions = workspace.grid(machine, arguments.grid)
+    else:
+        positions = workspace.quadrature(machine, arguments.quadrature or workspace.DEFAULT_ORDER)
+    result = workspace.sensitivity(machine, positions, objective)
+    data = sensitivity_out.to_dict(machine, result, arguments.angle_unit)
+    texts = {
+        "sensitivity.json": sensitivity_out.dumps(data),
+        "sensitivity.csv": sensitivity_out.csv_text(data),
+        "report.html": report.sensitivity_report(data, picture),
+    }
+    with staged(folder) as work:
+        for name, text in texts.items():
+            (work / name).write_text(text, encoding="utf-8")
+        if extra is not None:
+            extra(work, result)
+    return [Path(folder) / name for name in texts]
+
+
+def with_options(machine, arguments):
+    """The machine with the command line's squareness convention and tolerances."""
+    if arguments.squareness:
+        machine = replace(machine, squareness=arguments.squareness)
+    if arguments.tolerances:
+        from sensworkbench.formats import tolerances
+
+        machine = replace(machine, tolerances=dict(machine.tolerances) | tolerances.load(arguments.tolerances))
+    return machine
+
+
+def read_picture(path) -> bytes:
+    """The bytes of a PNG file; refuses anything else."""
+    try:
+        data = Path(path).read_bytes()
+    except OSError as error:
+        from sensworkbench.formats.files import reason
+
+        raise Refused(f"cannot be read: {reason(error)}", str(path), "Check the name.") from None
+    if not data.startswith(b"\x89PNG\r\n\x1a\n"):
+        raise Refused("is not a PNG picture", str(path), "Save the picture as PNG.")
+    return data
+
+
+# -- demo ------------------------------------------------------------------------------------------------------------
+def _demo(arguments) -> int:
+    if in_freecad():
+        return importlib.import_module("sensworkbench.document.batch").run(arguments.argv)
+    return importlib.import_module("sensworkbench.document.handoff").run(arguments.argv)

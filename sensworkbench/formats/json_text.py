@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Strict JSON that knows where everything stands, so that a refusal can name the line and the path of its cause.
+
+Against RFC 8259: duplicate keys, NaN, Infinity, numbers out of range, lone surrogates and trailing text are refused,
+and so is nesting deeper than `DEPTH`.  `Place` walks through the result and refuses with file, line and path.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Mapping
+from json.decoder import scanstring
+
+from sensworkbench.core.refusal import Refused
+
+DEPTH = 40
+NUMBER_DIGITS = 400
+
+_SPACE = re.compile(r"[ \t\n\r]*")
+_NUMBER = re.compile(r"-?(?:0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?")
+_WORD = re.compile(r"[A-Za-z_][A-Za-z_0-9]*")
+_WORDS = {"true": True, "false": False, "null": None}
+
+
+class _Parser:
+    def __init__(self, text: str, name: str):
+        self.text, self.name = text, name
+        self.lines: dict[tuple, int] = {}
+        self._newlines = [m.start() for m in re.finditer("\n", text)]
+
+    def line(self, at: int) -> int:
+        from bisect import bisect_left
+
+        return bisect_left(self._newlines, at) + 1
+
+    def refuse(self, at: int, what: str, path: tuple = (), do: str = ""):
+        where = f"{self.name}, line {self.line(at)}"
+        if path:
+            where += f", {path_text(path)}"
+        raise Refused(what, where, do)
+
+    def space(self, at: int) -> int:
+        return _SPACE.match(self.text, at).end()
+
+    def value(self, at: int, path: tuple):
+        """(value, end) of the value at `at`."""
+        text = self.text
+        if len(path) > DEPTH:
+            self.refuse(at, f"is nested deeper than {DEPTH}", path[:3])
+        self.lines[path] = self.line(at)
+        here = text[at : at + 1]
+        if here == "{":
+            return self.object(at, path)
+        if here == "[":
+            return self.array(at, path)
+        if here == '"':
+            return self.string(at, path)
+        match = _NUMBER.match(text, at)
+        if match:
+            return self.number(match, at, path), match.end()
+        word = _WORD.match(text, at + (here == "-"))
+        if word and here != "-" and word.group() in _WORDS:
+            return _WORDS[word.group()], word.end()
+        if word and word.group().lower() in ("nan", "infinity", "inf"):
+            self.refuse(
+                at, f"{here if here == '-' else ''}{word.group()} is not a number", path, "Give a finite number."
+            )
+        self.refuse(at, f"{text[at : at + 20]!r} is not JSON" if here else "the file ends too early", path)
+
+    def number(self, match, at: int, path: tuple):
+        digits = match.group()
+        if len(digits) > NUMBER_DIGITS:
+            self.refuse(at, f"a number of {len(digits)} digits", path, "Give a finite number.")
+        value = float(digits)
+        if not math.isfinite(value):
+            self.refuse(at, f"{digits[:20]} is out of range", path, "Give a finite number.")
+        if match.group(1) or match.group(2):
+            return value
+        return int(digits) if abs(value) < 2**53 else value
+
+    def string(self, at: int, path: tuple):
+        try:
+            value, end = scanstring(self.text, at + 1, True)
+        except json.JSONDecodeError as error:
+            self.refuse(error.pos, f"this text is not JSON ({error.msg.lower()})", path)
+        if any("\ud800" <= c <= "\udfff" for c in value):
+            self.refuse(at, "this text holds half a character", path)
+        return value, end
+
+    def object(self, at: int, path: tuple):
+        result: dict = {}
+        at = self.space(at + 1)
+        if self.text[at : at + 1] == "}":
+            return result, at + 1
+        while True:
+            if self.text[at : at + 1] != '"':
+                self.refuse(at, "a name in double quotes is missing", path)
+            key, end = self.string(at, path)
+            if key in result:
+                first = self.lines[(*path, key)]
+                self.refuse(at, f"{short(key)} stands twice, first in line {first}", (*path, key), "Keep one.")
+            end = self.space(end)
+            if self.text[end : end + 1] != ":":
+                self.refuse(end, f"a colon is missing after {short(key)}", path)
+            result[key], end = self.value(self.space(end + 1), (*path, key))
+            self.lines[(*path, key)] = self.line(at)
+            at, closed = self.next(end, "}", path)
+            if closed:
+                return result, at
+
+    def array(self, at: int, path: tuple):
+        result: list = []
+        at = self.space(at + 1)
+        if self.text[at : at + 1] == "]":
+            return result, at + 1
+        while True:
+            item, end = self.value(at, (*path, len(result)))
+            result.append(item)
+            at, closed = self.next(end, "]", path)
+            if closed:
+                return result, at
+
+    def next(self, at: int, close: str, path: tuple) -> tuple[int, bool]:
+        at = self.space(at)
+        mark = self.text[at : at + 1]
+        if mark == close:
+            return at + 1, True
+        if mark != ",":
+            self.refuse(at, f"a comma or {close} is missing" if mark else "the file ends too early", path)
+        return self.space(at + 1), False
+
+
+def short(value) -> str:
+    """A value as it can stand in a message: quoted, and cut where it is long."""
+    text = json.dumps(value, ensure_ascii=False) if isinstance(value, (str, int, float, bool, type(None))) else None
+    if text is None:
+        text = "an object" if isinstance(value, Mapping) else "a list"
+    return text if len(text) <= 60 else text[:56] + '…"'
+
+
+def path_text(path: tuple) -> str:
+    """`axes.X.travel[1]` of ("axes", "X", "travel", 1)."""
+    out = ""
+    for step in path:
+        out += (
+            f"[{step}]"
+            if isinstance(step, int)
+            else ("." if out else "") + (step if len(step) <= 60 else step[:59] + "…")
+        )
+    return out
+
+
+class Place:
+    """A value of a parsed file together with where it stands.  The readers of the formats walk with it."""
+
+    def __init__(self, value, path: tuple, lines: Mapping, name: str):
+        self.value, self.path, self._lines, self.name = value, path, lines, name
+
+    @property
+    def where(self) -> str:
+        line = self._lines.get(self.path)
+        parts = [self.name] + ([f"line {line}"] if line else []) + ([path_text(self.path)] if self.path else [])
+        return ", ".join(parts)
+
+    def refuse(self, what: str, do: str = "") -> Refused:
+        """The refusal to raise: `raise place.refuse(...)`."""
+        return Refused(what, self.where, do)
+
+    def __contains__(self, key) -> bool:
+        return key in self.value
+
+    def __getitem__(self, key) -> Place:
+        return Place(self.value[key], (*self.path, key), self._lines, self.name)
+
+    def keys(self, allowed, required=()) -> list[str]:
+        """The keys of an object, refusing unknown ones (those that begin with "x-" are let through) and missing ones."""
+        if not isinstance(self.value, dict):
+            raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
+        for key in self.value:
+            if key not in allowed and not key.startswith("x-"):
+                names = ", ".join(allowed)
+                raise self[key].refuse(f"unknown key {short(key)}", f'Known here: {names}; begin your own with "x-".')
+        for key in required:
+            if key not in self.value:
+                raise self.refuse(f"{short(key)} is missing")
+        return [k for k in self.value if not k.startswith("x-")]
+
+    def items(self) -> list[tuple[str, Place]]:
+        """Name and place of every member of an object whose names are free."""
+        if not isinstance(self.value, dict):
+            raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
+        return [(k, self[k]) for k in self.value]
+
+    def elements(self, count: int | None = None) -> list[Place]:
+        if not isinstance(self.value, list):
+            raise self.refuse(f"{short(self.value)} stands where a list […] is expected")
+        if count is not None and len(self.value) != count:
+            raise self.refuse(f"a list of {len(self.value)} where {count} are expected")
+        return [self[i] for i in range(len(self.value))]
+
+    def number(self) -> float:
+        if isinstance(self.value, bool) or not isinstance(self.value, (int, float)):
+            raise self.refuse(f"{short(self.value)} is not a number")
+        return float(self.value)
+
+    def numbers(self, count: int | None = None) -> list[float]:
+        return [e.number() for e in self.elements(count)]
+
+    def integer(self, low: int, high: int) -> int:
+        if isinstance(self.value, bool) or not isinstance(self.value, int) or not low <= self.value <= high:
+            raise self.refuse(f"{short(self.value)} is not a whole number from {low} to {high}")
+        return self.value
+
+    def string(self, choices=None) -> str:
+        if not isinstance(self.value, str):
+            raise self.refuse(f"{short(self.value)} is not a text in quotes")
+        if choices is not None and self.value not in choices:
+            raise self.refuse(f"unknown value {short(self.value)}", f"Use one of {', '.join(choices)}.")
+        return self.value
+
+    def boolean(self) -> bool:
+        if not isinstance(self.value, bool):
+            raise self.refuse(f"{short(self.value)} is neither true nor false")
+        return self.value
+
+
+def parse(text: str, name: str = "text") -> Place:
+    """Parse strictly; the result's `value` is plain Python data.  Refuses with `name`, line and path."""
+    parser = _Parser(text, name)
+    start = parser.space(0)
+    if start == len(text):
+        raise Refused("the file is empty", name)
+    value, end = parser.value(start, ())
+    end = parser.space(end)
+    if end != len(text):
+        parser.refuse(end, "there is more after the end of the JSON text")
+    return Place(value, (), parser.lines, name)
