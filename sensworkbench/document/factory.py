@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Functions that make the document objects; scripts, tests, commands and batch runs all use these.
+
+Each returns the object, works without a window, and opens no transaction (a command does that around it).
+"""
+
+from __future__ import annotations
+
+import json
+
+from ..core.drivers import SHAPES, Effect
+from ..core.errors import AXES, component
+from ..core.refusal import Refused
+from . import objects
+from .base import dress, kind_of, members, put
+from .paths import as_links, as_sub
+
+GROUP, FEATURE = "App::DocumentObjectGroupPython", "App::FeaturePython"
+BODY_LABELS = {"T": "Spindle and tool", "W": "Workpiece and fixture"}
+
+
+def _new(doc, kind: str, proxy, name: str, label: str | None):
+    obj = doc.addObject(kind, name)
+    proxy(obj)
+    obj.Label = label or name
+    dress(obj)
+    return obj
+
+
+def make_machine(
+    doc, workpiece_chain=(), tool_chain=(), *, bed=(), tool_point=None, squareness="direction", label="Machine"
+):
+    """A machine with an empty tolerance table.  Chains from the bed outwards, such as ["Y", "X"] and ["Z"].
+
+    bed : parts, each an object, or (top object, "Path.To.Part.").  tool_point : object, or (object, "Path.Vertex1").
+    Where one of `make_axis` is missing `machine.Problem` says so.
+    """
+    machine = _new(doc, GROUP, objects.MachineObject, "Machine", label)
+    put(machine, "WorkpieceChain", list(workpiece_chain))
+    put(machine, "ToolChain", list(tool_chain))
+    machine.Squareness = squareness
+    machine.Bed = as_links(bed)
+    machine.ToolPoint = as_sub(tool_point)
+    make_tolerances(machine)
+    return machine
+
+
+def make_axis(
+    machine, name, parts=(), *, travel=(-100.0, 100.0), direction=None, along="Automatic", reverse=False,
+    reference=None, reference_at="Automatic",
+):  # fmt: skip
+    """Axis X, Y or Z of a machine.  parts : the carriage.  direction, reference : sources, None for the parts' own.
+
+    along : "Automatic", "Local X", "Local Y" or "Local Z".  reference_at : "Automatic", "Placement", "Centre of mass".
+    """
+    if name not in AXES:
+        raise Refused(f"unknown axis {name!r}", machine.Label, "Axes are X, Y and Z.")
+    if axis_of(machine, name) is not None:
+        raise Refused(f"axis {name} exists already", machine.Label, "Edit it, or delete it first.")
+    axis = _new(machine.Document, GROUP, objects.AxisObject, f"Axis{name}", f"Axis {name}")
+    axis.Axis = name
+    axis.Parts = as_links(parts)
+    axis.DirectionSource = as_sub(direction)
+    axis.DirectionAlong = along
+    axis.Reverse = bool(reverse)
+    axis.ReferenceSource = as_sub(reference)
+    axis.ReferenceAt = reference_at
+    axis.TravelLower, axis.TravelUpper = float(travel[0]), float(travel[1])
+    machine.addObject(axis)
+    return axis
+
+
+def make_body(machine, name, parts=(), *, reference=None, reference_at="Automatic"):
+    """The spindle with its tool ("T") or the workpiece with its fixture ("W") of a machine."""
+    if name not in BODY_LABELS:
+        raise Refused(f"unknown body {name!r}", machine.Label, "Bodies are T (spindle) and W (workpiece).")
+    if body_of(machine, name) is not None:
+        raise Refused(f"{BODY_LABELS[name]} exists already", machine.Label, "Edit it, or delete it first.")
+    body = _new(machine.Document, GROUP, objects.BodyObject, f"Body{name}", BODY_LABELS[name])
+    body.Body = name
+    body.Parts = as_links(parts)
+    body.ReferenceSource = as_sub(reference)
+    body.ReferenceAt = reference_at
+    machine.addObject(body)
+    return body
+
+
+def make_tolerances(machine):
+    """The tolerance table, filled with the paper's values."""
+    from .tables import write_tolerances
+
+    table = _new(machine.Document, FEATURE, objects.TolerancesObject, "Tolerances", None)
+    machine.addObject(table)
+    write_tolerances(machine, {})
+    return table
+
+
+def make_sensitivity(machine, label="Sensitivity"):
+    """An empty result object; `results.compute` fills it."""
+    found = _new(machine.Document, FEATURE, objects.SensitivityObject, "Sensitivity", label)
+    machine.addObject(found)
+    return found
+
+
+def make_effect(machine, effect: Effect):
+    """An effect object under the body whose component it drives."""
+    body = component(effect.component).body
+    if effect.shape not in SHAPES:
+        raise Refused(f"unknown shape {effect.shape!r}", f"effect {effect.name!r}", f"Use one of {', '.join(SHAPES)}.")
+    owner = body_of(machine, body)
+    if owner is None:
+        owner = make_body(machine, body) if body in BODY_LABELS else None
+    if owner is None:
+        raise Refused(f"axis {body} is missing", machine.Label, f"Add axis {body} first.")
+    obj = _new(machine.Document, FEATURE, objects.EffectObject, "Effect", effect.name)
+    obj.Component, obj.Driver, obj.Shape = effect.component, effect.driver, effect.shape
+    obj.Parameters = json.dumps(dict(effect.parameters), sort_keys=True)
+    obj.Enabled = bool(effect.enabled)
+    owner.addObject(obj)
+    return obj
+
+
+# -- finding ---------------------------------------------------------------------------------------------------------
+def machines(doc) -> list:
+    return [o for o in doc.Objects if kind_of(o) == "Machine"]
+
+
+def machine_of(doc):
+    """The machine of a document; refuses when there is none, or several."""
+    found = machines(doc)
+    if len(found) != 1:
+        what = "the document holds no machine" if not found else "the document holds several machines: " + ", ".join(
+            o.Label for o in found)  # fmt: skip
+        do = "Make one with Machine from Selection." if not found else "Keep one, or select the one that is meant."
+        raise Refused(what, doc.Label, do)
+    return found[0]
+
+
+def axis_of(machine, name: str):
+    return next((o for o in members(machine, "Axis") if o.Axis == name), None)
+
+
+def body_of(machine, name: str):
+    """The object of body X, Y, Z, T or W, or None."""
+    return axis_of(machine, name) or next((o for o in members(machine, "Body") if o.Body == name), None)
+
+
+def tolerances_of(machine):
+    return next(iter(members(machine, "Tolerances")), None)
+
+
+def sensitivity_of(machine):
+    """The newest result object, or None."""
+    return next(iter(reversed(members(machine, "Sensitivity"))), None)
+
+
+def effects_of(machine) -> list:
+    owners = members(machine, "Axis") + members(machine, "Body")
+    return [e for o in owners for e in members(o, "Effect")] + members(machine, "Effect")
+
+
+def owner_machine(obj):
+    """The machine that an axis, body, table, result or effect belongs to, or None."""
+    for parent in obj.InList:
+        if kind_of(parent) == "Machine":
+            return parent
+        if kind_of(parent) in ("Axis", "Body"):
+            return owner_machine(parent)
+    return None

@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document objects: Machine, Axis, Body, Tolerances, Sensitivity and Effect.
+
+Module and class names are stored in users' files and stay as they are.  A proxy declares properties and hands the rest
+to `refresh` (recompute) and `jog` (moving parts); docs/document-model.md lists what each property means.
+"""
+
+from __future__ import annotations
+
+from ..core.distributions import DISTRIBUTIONS  # noqa: F401 - the values that `Distributions` takes
+from ..core.drivers import SHAPES
+from ..core.machine import SQUARENESS_CONVENTIONS
+from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
+from .base import Property, SensObject, internal, quiet, result
+
+AUTOMATIC = "Automatic"
+DIRECTION_CHOICES = (AUTOMATIC, "Local X", "Local Y", "Local Z")
+REFERENCE_CHOICES = (AUTOMATIC, "Placement", "Centre of mass")
+
+_REFERENCE = (
+    Property("XLinkSub", "ReferenceSource", "Reference",
+             "Where the reference point is taken from: a coordinate system, datum, vertex, edge, face or part. "
+             "Empty: the parts themselves"),
+    Property("Enumeration", "ReferenceAt", "Reference",
+             "Automatic: the origin of a coordinate system or datum, the centre of an edge or face, the centre of mass "
+             "of a part", AUTOMATIC),
+)  # fmt: skip
+_OFFSETS = (
+    result("Vector", "ReferencePoint", "Reference point with all axes at 0, mm, document coordinates"),
+    result("String", "ReferenceFrom", "What the reference point was taken from"),
+    result("Vector", "AbbeOffset", "Functional point minus reference point at the current position, mm, document "
+                                   "coordinates"),
+    result("Distance", "AbbeOffsetX", "Abbe offset along the machine's X"),
+    result("Distance", "AbbeOffsetY", "Abbe offset along the machine's Y"),
+    result("Distance", "AbbeOffsetZ", "Abbe offset along the machine's Z"),
+)  # fmt: skip
+
+
+class MachineObject(SensObject):
+    """A three-axis machine; the axes, the spindle, the workpiece, tolerances and results are in its Group."""
+
+    kind = "Machine"
+    choices = {
+        "Squareness": SQUARENESS_CONVENTIONS,
+        "Output": ("position", "orientation"),
+        "Aggregate": ("quadrature", "grid", "at"),
+    }
+    properties = (
+        Property("StringList", "WorkpieceChain", "Machine", "Axes that carry the workpiece, from the bed outwards"),
+        Property("StringList", "ToolChain", "Machine", "Axes that carry the tool, from the bed outwards"),
+        Property("XLinkSubList", "Bed", "Machine", "Parts that never move"),
+        Property("XLinkSub", "ToolPoint", "Machine",
+                 "The functional point: a coordinate system, datum, vertex, edge, face or part at the tool's tip"),
+        Property("Enumeration", "Squareness", "Machine",
+                 "direction: a squareness error tilts the direction of motion only (ISO 230-1); carried: it also turns "
+                 "what the guide carries", "direction"),
+        Property("Map", "Declared", "Machine", "Degree of the declared error functions that differ from 3"),
+        Property("Enumeration", "Output", "Objective", "What is judged: position or orientation of the tool",
+                 "position"),
+        Property("Vector", "Weights", "Objective", "Weights of the three components", (1.0, 1.0, 1.0)),
+        Property("Bool", "Signed", "Objective", "Judge the weighted sum itself instead of the sum of squares", False),
+        Property("Enumeration", "Aggregate", "Objective", "Positions: quadrature over the travel, regular grid, or one",
+                 "quadrature"),
+        Property("Integer", "Order", "Objective", "Quadrature positions per axis", DEFAULT_ORDER),
+        Property("Integer", "Grid", "Objective", "Grid positions per axis", DEFAULT_GRID),
+        Property("Vector", "At", "Objective", "The one position (X, Y, Z)", (0.0, 0.0, 0.0)),
+        result("String", "Structure", "Structure code from workpiece to tool, F for the bed"),
+        result("Vector", "FunctionalPoint", "Functional point with all axes at 0, mm, document coordinates"),
+        result("Float", "SkewXY", "Angle between X and Y minus 90 degrees"),
+        result("Float", "SkewXZ", "Angle between X and Z minus 90 degrees"),
+        result("Float", "SkewYZ", "Angle between Y and Z minus 90 degrees"),
+        result("String", "Problem", "Why the machine cannot be computed, and what to do; empty when it can"),
+        internal("String", "Fingerprint", "Digest of everything that the indices depend on"),
+        internal("String", "Fitted", "Fitted errors as JSON"),
+        internal("String", "Extra", "Further keys of machine.json as JSON"),
+        internal("StringList", "HomeObjects", "Parts away from home"),
+        internal("PlacementList", "HomePlacements", "Where they stand with all axes at 0"),
+        internal("Map", "PartColours", "Colours for parts made without a window: object name, #rrggbb"),
+        internal("Bool", "ViewPending", "Saved without a window: visibility and colours are to be set on opening",
+                 False),
+    )  # fmt: skip
+
+    def execute(self, obj):
+        from .refresh import refresh
+
+        refresh(obj)
+
+
+class AxisObject(SensObject):
+    """A linear axis with its carriage; effects of this body are in its Group."""
+
+    kind = "Axis"
+    choices = {"Axis": ("X", "Y", "Z"), "DirectionAlong": DIRECTION_CHOICES, "ReferenceAt": REFERENCE_CHOICES}
+    properties = (
+        Property("Enumeration", "Axis", "Axis", "Which axis this is", "X", 0, 1),
+        Property("XLinkSubList", "Parts", "Axis", "The carriage: one or several parts that move as one"),
+        Property("XLinkSub", "DirectionSource", "Direction",
+                 "Where the direction is taken from: a coordinate system, datum, edge, face or part. Empty: the "
+                 "placement of the first part"),
+        Property("Enumeration", "DirectionAlong", "Direction",
+                 "Automatic: along a line or edge, normal to a plane or face, otherwise the local axis of this axis' "
+                 "name", AUTOMATIC),
+        Property("Bool", "Reverse", "Direction", "Count the other way", False),
+        *_REFERENCE,
+        Property("Distance", "TravelLower", "Travel", "Lowest position", -100.0),
+        Property("Distance", "TravelUpper", "Travel", "Highest position", 100.0),
+        Property("Distance", "Position", "Travel", "Programmed position: moves the carriage and all that it carries",
+                 0.0),
+        internal("Float", "StandsAt", "The position at which the parts stand, mm", 0.0),
+        result("Vector", "Direction", "Unit vector of positive motion, document coordinates"),
+        result("String", "DirectionFrom", "What the direction was taken from"),
+        *_OFFSETS,
+    )  # fmt: skip
+
+    def onChanged(self, obj, name):
+        if name == "Position" and not quiet(obj):
+            from .jog import position_edited
+
+            position_edited(obj)
+
+
+class BodyObject(SensObject):
+    """The spindle with its tool (T) or the workpiece with its fixture (W)."""
+
+    kind = "Body"
+    choices = {"Body": ("T", "W"), "ReferenceAt": REFERENCE_CHOICES}
+    properties = (
+        Property("Enumeration", "Body", "Body", "T: spindle and tool; W: workpiece and fixture", "T", 0, 1),
+        Property("XLinkSubList", "Parts", "Body", "The parts"),
+        *_REFERENCE,
+        *_OFFSETS,
+    )
+
+
+class TolerancesObject(SensObject):
+    """Limits and distribution of every error, in mm and rad; errors that are not listed have the paper's."""
+
+    kind = "Tolerances"
+    properties = (
+        Property("StringList", "Symbols", "Tolerances", "ISO 230-1 names", None, 0, 1),
+        Property("FloatList", "Lower", "Tolerances", "Lower limits, mm or rad", None, 0, 1),
+        Property("FloatList", "Upper", "Tolerances", "Upper limits, mm or rad", None, 0, 1),
+        Property("StringList", "Units", "Tolerances", "Units they are shown in: um, urad, arcsec ...", None, 0, 1),
+        Property("StringList", "Distributions", "Tolerances", "Distributions", None, 0, 1),
+        Property("FloatList", "Sigmas", "Tolerances", "Standard deviations of normal ones; 0: default", None, 0, 1),
+    )
+
+
+class SensitivityObject(SensObject):
+    """Indices of a machine: what they were computed from, and whether that has changed since."""
+
+    kind = "Sensitivity"
+    properties = (
+        result("Bool", "Stale", "The machine has changed since", True),
+        result("StringList", "Symbols", "Errors"),
+        result("StringList", "Owners", "Body of each error: X, Y, Z, T, W"),
+        result("FloatList", "First", "First-order indices S, mean over the positions"),
+        result("FloatList", "Total", "Total indices, mean over the positions"),
+        result("FloatList", "TotalMax", "Largest total index over the positions"),
+        result("FloatList", "FirstWeighted", "S weighted by the variance"),
+        result("FloatList", "TotalWeighted", "Total indices weighted by the variance"),
+        result("StringList", "Bodies", "Components"),
+        result("FloatList", "ComponentFirst", "Group first-order index of each component"),
+        result("FloatList", "ComponentTotal", "Group total index of each component"),
+        result("FloatList", "ComponentTotalMax", "Its largest value over the positions"),
+        result("FloatList", "ComponentTotalWeighted", "Its mean weighted by the variance"),
+        result("Float", "MeanSquare", "E[Y], mm² (rad², or mm for a signed component)"),
+        result("Float", "Variance", "V(Y), mm⁴ (rad⁴, or mm²)"),
+        result("Float", "EstimatedError", "Estimated error of the total indices; negative: none is stated", -1.0),
+        result("String", "Output", "position or orientation"),
+        result("Vector", "Weights", "Weights of the components"),
+        result("Bool", "Signed", "Weighted sum instead of sum of squares", False),
+        result("String", "Aggregate", "quadrature, grid or at"),
+        result("FloatList", "Points", "Positions per axis, or the one position"),
+        result("String", "Squareness", "Convention for squareness"),
+        result("FloatList", "Lower", "Lower limit of each error, mm or rad"),
+        result("FloatList", "Upper", "Upper limit of each error, mm or rad"),
+        result("StringList", "Units", "Unit each is shown in"),
+        result("StringList", "Distributions", "Distribution of each error"),
+        internal("String", "Fingerprint", "Digest of the machine that was computed"),
+        internal("Bool", "Coloured", "The parts carry the colours of this result", False),
+        internal("String", "OriginalColours", "How the parts looked before, as the window wrote it"),
+    )
+
+    def execute(self, obj):
+        """Nothing: indices are computed on command, never by a recompute."""
+
+
+class EffectObject(SensObject):
+    """One component with a driver that the declared model lacks; takes part in Omega while it is enabled."""
+
+    kind = "Effect"
+    choices = {"Shape": SHAPES}
+    properties = (
+        Property("String", "Component", "Effect", "ISO 230-1 name of the error component"),
+        Property("String", "Driver", "Effect", "Column that drives it; a product is joined by *"),
+        Property("Enumeration", "Shape", "Effect", "How it depends on the driver", "linear"),
+        Property("String", "Parameters", "Effect", "Parameters with unit and standard uncertainty, as JSON", "{}"),
+        Property("Bool", "Enabled", "Effect", "Takes part in the error of the machine", True),
+    )
