@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The names of columns of readings: a base name with the unit as suffix, and how its numbers become internal ones.
+
+`temp_column_C` is the driver `temp_column` in kelvin from 20 degC; `spindle_rpm` is `spindle`.  A known base name with
+an unknown unit is refused.  A name that nobody knows stays a candidate driver; a unit that is plain at its end is
+converted and taken off, so that `gap_um` and `gap_mm` are the same driver.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sensworkbench.core.refusal import Refused
+from sensworkbench.core.units import ANGLE, LENGTH
+
+MASS = {"kg": 1.0, "g": 1e-3, "t": 1e3, "lb": 0.45359237}
+TIME = {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
+TEMPERATURE = {"C": (1.0, -20.0), "K": (1.0, -293.15), "F": (5 / 9, -32 * 5 / 9 - 20.0)}
+TEMPERATURE |= {"degC": TEMPERATURE["C"], "°C": TEMPERATURE["C"], "degF": TEMPERATURE["F"], "°F": TEMPERATURE["F"]}
+SPEED = {"mm_min": 1.0, "m_min": 1e3, "mm_s": 60.0, "m_s": 6e4, "um_s": 0.06, "in_min": 25.4, "in_s": 1524.0}
+ROTATION = {"rpm": 1.0, "1_min": 1.0, "rps": 60.0, "1_s": 60.0, "Hz": 60.0, "rad_s": 30 / np.pi, "deg_s": 1 / 6}
+NONE = {"": 1.0}
+
+# kind -> (unit suffixes, the internal unit)
+KINDS = {
+    "length": (LENGTH, "mm"),
+    "angle": (ANGLE, "rad"),
+    "time": (TIME, "s"),
+    "temperature": (TEMPERATURE, "K"),
+    "mass": (MASS, "kg"),
+    "speed": (SPEED, "mm/min"),
+    "rotation": (ROTATION, "rpm"),
+    "none": (NONE, ""),
+}
+POSITION = ("x", "y", "z")
+ERROR = ("ex", "ey", "ez")
+NORMAL = ("nx", "ny", "nz")
+DIRECTION = ("dir_x", "dir_y", "dir_z")
+TOOL = ("tool_dx", "tool_dy", "tool_dz")
+BASES = dict.fromkeys((*POSITION, *ERROR, *TOOL, "reading", "u"), "length")
+BASES |= dict.fromkeys((*NORMAL, *DIRECTION, "run"), "none")
+BASES |= {"t": "time", "feed": "speed", "spindle": "rotation"}
+FAMILIES = {"temp_": "temperature", "load_": "mass"}
+EXAMPLE = {
+    "length": "mm or um",
+    "time": "s or min",
+    "temperature": "C, K or F",
+    "mass": "kg",
+    "speed": "mm_min or m_min",
+}
+EXAMPLE |= {"rotation": "rpm or 1_s"}
+# at the end of an unknown name only suffixes that mean nothing but a unit count: not m, g, t, h, F, in, min, 1_s
+PLAIN = {
+    "length": ("mm", "um", "µm", "μm", "nm", "cm"),
+    "angle": ("rad", "mrad", "urad", "µrad", "μrad", "nrad", "deg", "arcmin", "arcsec"),
+    "time": ("s", "ms"),
+    "temperature": ("C", "K", "degC", "°C", "degF", "°F"),
+    "mass": ("kg", "lb"),
+    "speed": ("mm_min", "m_min", "mm_s", "m_s", "um_s"),
+    "rotation": ("rpm", "rps", "rad_s"),
+}
+
+
+@dataclass(frozen=True)
+class Name:
+    """base : name without unit.  kind : quantity.  suffix : unit as written.  unit : internal unit.  known : in SPEC."""
+
+    base: str
+    kind: str
+    suffix: str
+    unit: str
+    known: bool
+
+    def convert(self, values: np.ndarray) -> np.ndarray:
+        if self.kind == "unknown":
+            return values
+        factor = KINDS[self.kind][0][self.suffix]
+        scale, offset = factor if isinstance(factor, tuple) else (factor, 0.0)
+        if scale == 1.0:
+            return values + offset if offset else values
+        return values * scale + offset
+
+
+def _plain(text: str):
+    """(base, kind, suffix) of an unknown name that ends in a unit that can be nothing else, the longest first."""
+    ends = [(suffix, kind) for kind, group in PLAIN.items() for suffix in group if text.endswith("_" + suffix)]
+    if not ends:
+        return None
+    suffix, kind = max(ends, key=lambda end: len(end[0]))
+    base = text[: -len(suffix) - 1]
+    return (base, kind, suffix) if base else None
+
+
+def parse(text: str, where: str = "") -> Name:
+    """What a column's name says; refuses a known base name whose unit is missing or unknown."""
+    for prefix, kind in FAMILIES.items():
+        if text.startswith(prefix):
+            base, _, suffix = text.rpartition("_")
+            if base + "_" == prefix or base == prefix.rstrip("_") or suffix not in KINDS[kind][0]:
+                raise _unit_refused(text, kind, where)
+            return Name(base, kind, suffix, KINDS[kind][1], True)
+    if text in BASES and BASES[text] == "none":
+        return Name(text, "none", "", "", True)
+    for base in sorted(BASES, key=len, reverse=True):
+        if text == base or text.startswith(base + "_"):
+            kind, suffix = BASES[base], text[len(base) + 1 :]
+            if kind == "none" and base == "run":
+                break  # run_id and the like are names of their own
+            if suffix in KINDS[kind][0]:
+                return Name(base, kind, suffix, KINDS[kind][1], True)
+            plain = _plain(text)
+            if plain and plain[0] != base and base in ("spindle", "feed", "t", *POSITION):
+                break  # spindle_temp_C, x_nut_C: another name that begins like a known one
+            raise _unit_refused(text, kind, where)
+    plain = _plain(text)
+    if plain and plain[0] not in BASES:
+        base, kind, suffix = plain
+        return Name(base, kind, suffix, KINDS[kind][1], False)
+    return Name(text, "unknown", "", "", False)
+
+
+def _unit_refused(text: str, kind: str, where: str) -> Refused:
+    wanted = EXAMPLE.get(kind)
+    do = f"End the name in a unit: {wanted}" if wanted else "This name takes no unit"
+    return Refused(f"column {text!r} has no unit that is known for it", where, f"{do}; or rename the column.")

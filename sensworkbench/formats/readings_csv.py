@@ -1,0 +1,546 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""measured.csv and positions.csv: a text table becomes `Readings`, and predicted errors become a table again.
+
+Nothing is dropped silently: what is converted, assumed, derived, left out or suspicious is a `Finding` with its line,
+and what cannot be understood is refused with file, line and column.  The grammar is described in docs/formats.md.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.core.refusal import Refused
+
+from . import column_names, csv_table
+from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
+from .csv_table import Table
+
+STILL_MM = 1e-3  # positions that differ by less are the same place when a direction of approach is derived
+HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
+FEW_ROWS = 12
+MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
+
+ANSWERS = {
+    "sign": ("error", "compensation"),
+    "frame": ("tool_relative_to_workpiece", "table"),
+    "positions": ("programmed", "table"),
+    "angles": ("active", "passive"),
+    "squareness": ("direction", "carried"),
+    "squareness_sign": ("right_handed", "larger_than_90"),
+}
+_ANSWER = re.compile(r"([A-Za-z_][A-Za-z_ ]*?)\s*[:=]\s*(.+)$")
+
+
+def load(path, mapping=None) -> Readings:
+    """Readings of a measured.csv; `mapping` as `load_mapping` returns, for a file with other column names."""
+    return _Reader(csv_table.read(path), mapping).readings()
+
+
+def load_positions(path, mapping=None) -> Readings:
+    """Places and conditions without readings (R = 0 rows); every row of the file is kept."""
+    return _Reader(csv_table.read(path), mapping).positions()
+
+
+def load_mapping(path) -> dict:
+    """A mapping file: JSON, {"x_mm": "Pos X [mm]", "z_mm": 0, "ignore": ["Remark"], "header": {"sign": "error"}}."""
+    name = Path(path).name
+    try:
+        found = json.loads(csv_table.read_text(path))
+    except json.JSONDecodeError as error:
+        raise Refused(error.msg, f"{name}, line {error.lineno}, column {error.colno}", "Correct the JSON.") from None
+    return check_mapping(found, name)
+
+
+def check_mapping(mapping, where: str = "mapping") -> dict:
+    """`mapping` if it is well formed: our name -> their name or a constant, "ignore" -> names, "header" -> answers."""
+    if not isinstance(mapping, Mapping):
+        raise Refused("a mapping is an object of names", where, 'Write {"x_mm": "their name", ...}.')
+    for key, value in mapping.items():
+        if key == "ignore":
+            good = isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
+        elif key == "header":
+            good = isinstance(value, Mapping) and all(isinstance(v, str) for v in value.values())
+        else:
+            column_names.parse(key, where)
+            good = isinstance(value, str) or (isinstance(value, (int, float)) and not isinstance(value, bool))
+        if not good:
+            raise Refused(f"{value!r} cannot stand for {key!r}", where, "Give a column's name or a number.")
+    return dict(mapping)
+
+
+def save_predicted(path, source, positions: Readings, error, extrapolated=None, mapping=None) -> None:
+    """The table `source` (a POSITIONS file) with ex_um, ey_um, ez_um behind, in the order of that file, atomically.
+
+    positions : what `load_positions(source)` gave.  error : (P, 3) mm, in the order of `positions` (actual minus
+    commanded).  extrapolated : (P,) truth, written as 0 or 1.  Separator and decimal sign stay those of the file.
+    """
+    table = csv_table.read(source)
+    error = np.asarray(error, dtype=float)
+    if error.shape != (table.rows, 3) or not np.array_equal(np.sort(positions.line), table.line):
+        raise Refused("the predictions do not belong to this file", table.source, "Predict again from this file.")
+    order = np.argsort(positions.line)
+    decimal_comma = table.separator != "," and any(
+        csv_table.is_number(a) and not csv_table.is_number(b)
+        for j in range(len(table.names))
+        for a, b in zip(table.text(j), table.cells[j], strict=True)
+    )
+    number = (lambda v: f"{v:.6f}".replace(".", ",")) if decimal_comma else (lambda v: f"{v:.6f}")
+    ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
+    results = {*ERROR, "extrapolated"}
+    names = [ours.get(name, name) for name in table.names]
+    kept = [j for j, n in enumerate(names) if n and column_names.parse(n).base not in results]
+    header = [csv_table.safe_cell(names[j]) for j in kept] + ["ex_um", "ey_um", "ez_um"]
+    columns = [[csv_table.safe_cell(c) for c in table.cells[j]] for j in kept]
+    for key, value in (mapping or {}).items():
+        if isinstance(value, (int, float)) and column_names.parse(key).base not in results:
+            header.insert(len(kept), key)
+            columns.append([f"{value:g}".replace(".", ",") if decimal_comma else f"{value:g}"] * table.rows)
+    columns += [[number(v) for v in error[order, i] * 1e3] for i in range(3)]
+    if extrapolated is not None:
+        header.append("extrapolated")
+        columns.append([str(int(v)) for v in np.asarray(extrapolated, dtype=bool)[order]])
+    lines = [f"# {text}" for _, text in table.comments if _states(text, "positions")]
+    lines += [
+        table.separator.join(_quoted(c, table.separator) for c in row) for row in (header, *zip(*columns, strict=True))
+    ]
+    csv_table.write_atomically(path, "\n".join(lines) + "\n")
+
+
+def _quoted(cell: str, separator: str) -> str:
+    return '"' + cell.replace('"', '""') + '"' if separator in cell or '"' in cell else cell
+
+
+def _states(text: str, key: str) -> bool:
+    match = _ANSWER.match(text)
+    return bool(match) and match.group(1).strip().lower() == key
+
+
+@dataclass
+class _Reader:
+    """One file on its way to `Readings`: names, then answers, then numbers, then order and directions."""
+
+    table: Table
+    mapping: Mapping | None = None
+
+    def __post_init__(self):
+        self.findings: list[Finding] = []
+        self.values: dict[str, np.ndarray] = {}
+        self.units: dict[str, str] = {}
+        self.categories: dict[str, np.ndarray] = {}
+        self.run = None
+        self.answers: dict[str, tuple[str, int]] = {}
+        self.column_of: dict[str, int] = {}
+
+    # -- the two results -----------------------------------------------------------------------------------------
+    def readings(self) -> Readings:
+        self._read(measured=True)
+        count = self.table.rows
+        sensed = self._own_vectors()
+        error = [self.values.get(n, np.full(count, np.nan)) for n in ERROR]
+        self._sign_of_readings(error, sensed)
+        value = np.stack([*error, sensed], axis=1)
+        sense = np.zeros((count, 4, 3))
+        sense[:, :3] = np.eye(3)
+        if np.isfinite(sensed).any():
+            sense[:, 3] = np.stack([self.values[n] for n in NORMAL], axis=1)
+        keep = self._kept_rows(value)
+        value, sense = value[keep], sense[keep]
+        given = np.isfinite(value)
+        if given.sum() < FEW_ROWS:
+            self._note(
+                "warning", "few-readings", f"only {int(given.sum())} readings: too few to fit a machine's errors"
+            )
+        if np.abs(value[given]).max() > HUGE_MM:
+            row = int(np.argmax(np.nanmax(np.abs(np.where(given, value, 0)), axis=1)))
+            line = int(self.table.line[keep][row])
+            self._note(
+                "warning", "huge-reading", f"a reading exceeds {HUGE_MM:g} mm: is it an error, in this unit?", line
+            )
+        point, kind = np.nonzero(given)
+        u = self.values.get("u", np.full(count, np.nan))[keep]
+        if "u" not in self.values:
+            self._note("info", "no-uncertainty", "no u_um column: noise is estimated for each direction of sensing")
+        return self._finish(
+            keep, derive=True, point=point, sense=sense[given], value=value[given], u=u[point], kind=kind
+        )
+
+    def positions(self) -> Readings:
+        self._read(measured=False)
+        if self.table.rows == 0:
+            raise Refused("the file holds no positions", self.table.source, "Give at least one row of x_mm,y_mm,z_mm.")
+        none = np.empty(0, dtype=int)
+        everything = np.ones(self.table.rows, dtype=bool)
+        for base in self._drivers():
+            self._refuse_empty(base)
+        return self._finish(
+            everything, derive=False, point=none, sense=np.empty((0, 3)), value=np.empty(0), u=np.empty(0), kind=none
+        )
+
+    # -- names and answers ---------------------------------------------------------------------------------------
+    def _note(self, severity: str, code: str, message: str, line: int = 0) -> None:
+        self.findings.append(Finding(severity, code, message, line))
+
+    def _read(self, measured: bool) -> None:
+        table = self.table
+        mapping = check_mapping(self.mapping) if self.mapping else {}
+        ignored = set(mapping.pop("ignore", ()))
+        header = mapping.pop("header", {})
+        theirs = {v: k for k, v in mapping.items() if isinstance(v, str)}
+        for name in (*theirs, *ignored):
+            if name not in table.names:
+                raise Refused(
+                    f"the mapping names a column {name!r} that the file lacks",
+                    f"{table.source}, line {table.names_line}",
+                    f"The file has {', '.join(n for n in table.names if n)}.",
+                )
+        self._read_answers(header)
+        for j, written in enumerate(table.names):
+            if written in ignored:
+                self._note(
+                    "info", "ignored-column", f"column {written!r} is ignored, as the mapping asks", table.names_line
+                )
+                continue
+            self._read_column(j, theirs.get(written, written), measured)
+        for key, value in mapping.items():
+            if not isinstance(value, str):
+                name = column_names.parse(key)
+                self._refuse_twice(name.base, f"mapping, {key}")
+                self.values[name.base], self.units[name.base] = (
+                    name.convert(np.full(table.rows, float(value))),
+                    name.unit,
+                )
+        for base in POSITION:
+            if base not in self.values:
+                raise Refused(
+                    f"column {base}_mm is missing",
+                    f"{table.source}, line {table.names_line}",
+                    "x_mm, y_mm and z_mm are required; names are lower case; map other names with a mapping file.",
+                )
+            self._refuse_empty(base)
+        if measured and table.rows == 0:
+            raise Refused("the file holds no readings", table.source, "Give rows below the names.")
+        self._positions_answer()
+        self._check_directions()
+
+    def _read_answers(self, header: Mapping) -> None:
+        table = self.table
+        stated = [(f"{k}: {v}", 0) for k, v in header.items()]
+        stated += [(text, line) for line, text in table.comments]
+        for text, line in stated:
+            match = _ANSWER.match(text)
+            key = match.group(1).strip().lower().replace(" ", "_") if match else ""
+            if key not in ANSWERS:
+                continue
+            where = f"{table.source}, line {line}" if line else "mapping, header"
+            word, *axes = match.group(2).strip().lower().replace("-", "_").replace(",", " ").split()
+            if word not in ANSWERS[key] or (axes and not (key == "positions" and set(axes) <= set("xyz"))):
+                raise Refused(
+                    f"{match.group(2)!r} is no answer to {key!r}", where, f"Write {' or '.join(ANSWERS[key])}."
+                )
+            if line > table.names_line:
+                raise Refused(f"{key!r} is stated behind the names", where, "Move it above the row of names.")
+            if key in self.answers and line:
+                if self.answers[key][0] != (word, *axes):
+                    raise Refused(f"{key!r} is answered twice, differently", where, "Keep one answer.")
+                continue
+            self.answers[key] = ((word, *axes), line)
+        for key, what in (
+            ("angles", "readings hold displacements only, so nothing is converted"),
+            ("squareness", "readings hold displacements only; the machine's own setting decides"),
+            ("squareness_sign", "readings hold displacements only, so nothing is converted"),
+        ):
+            if self._answer(key)[0] != ANSWERS[key][0]:
+                self._note("info", "convention-noted", f"{key}: {self._answer(key)[0]}; {what}", self.answers[key][1])
+
+    def _answer(self, key: str) -> tuple[str, ...]:
+        return self.answers[key][0] if key in self.answers else (ANSWERS[key][0],)
+
+    def _refuse_twice(self, base: str, where: str) -> None:
+        if base in self.values or base in self.categories or (base == "run" and self.run is not None):
+            raise Refused(f"there is a second column for {base!r}", where, "Keep or rename one of them.")
+
+    def _read_column(self, j: int, written: str, measured: bool) -> None:
+        table = self.table
+        where = f"{table.source}, line {table.names_line}, column {j + 1}"
+        if not written:
+            if any(table.cells[j]):
+                raise Refused("a column has no name", where, "Name it in the first row.")
+            return
+        name = column_names.parse(written, where)
+        base = name.base
+        self._refuse_twice(base, f"{where} ({written})")
+        self.column_of[base] = j
+        if base == "run":
+            self.run = np.array(table.cells[j], dtype=str)
+            self._report_empty(base, [not c for c in table.cells[j]], "these rows are a run without a name")
+            return
+        if not measured and base in (*ERROR, *NORMAL, "reading", "u"):
+            self._note("info", "reading-ignored", f"column {written!r} is not needed for positions", table.names_line)
+            return
+        if name.kind == "unknown" and self._is_category(j, written):
+            self.categories[base] = np.array(table.cells[j], dtype=str)
+            return
+        values = table.numbers(j)
+        self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
+        if table.rows and np.isnan(values).all() and base not in POSITION:
+            self._note("warning", "empty-column", f"column {written!r} is empty and left out", table.names_line)
+            return
+        self.values[base], self.units[base] = name.convert(values), name.unit
+        if not name.known:
+            unit = f", in {name.unit}" if name.unit else ", unit unknown"
+            self._note(
+                "info",
+                "unknown-column",
+                f"column {written!r} is kept as candidate driver {base!r}{unit}",
+                table.names_line,
+            )
+
+    def _is_category(self, j: int, written: str) -> bool:
+        row = self.table.first_bad(j)
+        if row is None:
+            return False
+        text = self.table.text(j)
+        numbers = sum(1 for c in text if csv_table.is_number(c))
+        if numbers > 0.5 * len(text):
+            raise Refused(
+                f"{self.table.cells[j][row]!r} is not a number, though {numbers} cells of this column are",
+                self.table.place(row, j),
+                "Correct the cell, or make every cell of the column a text.",
+            )
+        self._note("info", "category", f"column {written!r} holds text and is a category", self.table.names_line)
+        return True
+
+    def _refuse_infinite(self, j: int, values: np.ndarray, nan_is_empty: bool) -> None:
+        table = self.table
+        bad = np.isinf(values)
+        written = [r for r in np.flatnonzero(np.isnan(values)) if table.cells[j][r]]
+        if nan_is_empty and written:
+            lines = _lines(table.line[written])
+            text = f"column {table.names[j]!r} says {table.cells[j][written[0]]!r} in {lines}: taken as not read"
+            self._note("warning", "nan-reading", text, int(table.line[written[0]]))
+        elif written:
+            bad[written] = True
+        if bad.any():
+            row = int(np.argmax(bad))
+            raise Refused(f"{table.cells[j][row]!r} is not a finite number", table.place(row, j), "Correct the cell.")
+
+    def _refuse_empty(self, base: str) -> None:
+        missing = np.isnan(self.values[base])
+        if missing.any():
+            row = int(np.argmax(missing))
+            raise Refused("the cell is empty", self.table.place(row, self.column_of[base]), "Fill it in.")
+
+    def _report_empty(self, base: str, missing, meaning: str) -> None:
+        rows = np.flatnonzero(missing)
+        if rows.size:
+            lines = self.table.line[rows]
+            text = f"column {self.table.names[self.column_of[base]]!r} is empty in {_lines(lines)}: {meaning}"
+            self._note("warning", "empty-cell", text, int(lines[0]))
+
+    # -- conventions ---------------------------------------------------------------------------------------------
+    def _positions_answer(self) -> None:
+        word, *axes = self._answer("positions")
+        if word == "programmed":
+            return
+        line = self.answers["positions"][1]
+        if not axes:
+            raise Refused(
+                "positions of the table are stated without saying of which axes",
+                f"{self.table.source}, line {line}",
+                "Name the axes that carry the workpiece: # positions: table X Y.",
+            )
+        for a in axes:
+            self.values[a] = -self.values[a]
+            if f"dir_{a}" in self.values:
+                self.values[f"dir_{a}"] = -self.values[f"dir_{a}"]
+        names = ", ".join(a.upper() for a in axes)
+        self._note(
+            "info", "positions-converted", f"positions of {names} are the table's own: their sign is turned", line
+        )
+
+    def _check_directions(self) -> None:
+        for base in DIRECTION:
+            if base in self.values:
+                values = self.values[base]
+                bad = np.isfinite(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
+                if bad.any():
+                    row = int(np.argmax(bad))
+                    j = self.column_of.get(base)
+                    where = self.table.place(row, j) if j is not None else f"mapping, {base}"
+                    raise Refused(f"{values[row]:g} is not a direction of approach", where, "Write -1, 0 or 1.")
+
+    def _sign_of_readings(self, error, sensed) -> None:
+        turned = []
+        if self._answer("sign")[0] == "compensation":
+            turned.append(("the file states compensation values", "sign"))
+        if self._answer("frame")[0] == "table":
+            turned.append(("the file states the table's motion relative to the tool", "frame"))
+        for what, key in turned:
+            self._note("info", "sign-converted", f"{what}: the sign of the readings is turned", self.answers[key][1])
+        if "sign" not in self.answers or "frame" not in self.answers:
+            self._note(
+                "info",
+                "sign-assumed",
+                "the file does not state its sign: readings are taken as error = actual - commanded, tool relative to "
+                "workpiece (state it by '# sign: error' and '# frame: tool_relative_to_workpiece')",
+            )
+        if len(turned) == 1:
+            for values in (*error, sensed):
+                np.negative(values, out=values)
+
+    def _own_vectors(self) -> np.ndarray:
+        """(P,) readings along nx, ny, nz, NaN where there is none; the vectors are checked and made unit vectors."""
+        table = self.table
+        present = [n for n in NORMAL if n in self.values]
+        if "reading" not in self.values:
+            if present:
+                self._note(
+                    "warning", "direction-without-reading", "nx, ny, nz are given without reading_um", table.names_line
+                )
+            return np.full(table.rows, np.nan)
+        if len(present) < 3:
+            raise Refused(
+                "reading_um needs its direction", f"{table.source}, line {table.names_line}", "Add columns nx, ny, nz."
+            )
+        reading = self.values["reading"].copy()
+        n = np.stack([self.values[a] for a in NORMAL], axis=1)
+        length = np.sqrt((n**2).sum(axis=1))
+        bad = np.isfinite(reading) & ~(np.abs(length - 1) < 1e-2)
+        if bad.any():
+            row = int(np.argmax(bad))
+            raise Refused(
+                f"the direction of sensing has length {length[row]:g}",
+                f"{table.source}, line {int(table.line[row])}, columns nx, ny, nz",
+                "Give a unit vector.",
+            )
+        off = np.isfinite(reading) & (np.abs(length - 1) > 1e-6)
+        if off.any():
+            line = int(table.line[np.argmax(off)])
+            self._note(
+                "info", "direction-scaled", f"{int(off.sum())} directions of sensing are made unit vectors", line
+            )
+        for i, a in enumerate(NORMAL):
+            self.values[a] = n[:, i] / np.where(length > 0, length, 1.0)
+        return reading
+
+    # -- rows ----------------------------------------------------------------------------------------------------
+    def _drivers(self) -> list[str]:
+        return [b for b in self.values if b not in (*POSITION, *ERROR, *NORMAL, "reading", "u")]
+
+    def _kept_rows(self, value: np.ndarray) -> np.ndarray:
+        keep = np.isfinite(value).any(axis=1)
+        if not keep.any():
+            raise Refused(
+                "the file holds no readings", self.table.source, "Fill ex_um, ey_um, ez_um, or nx, ny, nz, reading_um."
+            )
+        if not keep.all():
+            lines = self.table.line[~keep]
+            self._note("warning", "no-reading", f"no reading in {_lines(lines)}: left out", int(lines[0]))
+        for base in self._drivers():
+            missing = np.isnan(self.values[base])
+            if not missing.any():
+                continue
+            if base in TOOL:
+                self._refuse_empty(base)
+            if missing.sum() > MAX_GAPS * len(missing):
+                self._report_empty(base, missing, "too many gaps, the column is left out")
+                del self.values[base]
+            else:
+                self._report_empty(base, missing, "these rows are left out")
+                keep &= ~missing
+        if not keep.any():
+            raise Refused("no row has both a reading and its conditions", self.table.source, "Fill in the empty cells.")
+        u = self.values.get("u")
+        if u is not None and np.any(u <= 0):
+            row = int(np.argmax(u <= 0))
+            raise Refused(
+                "a standard uncertainty must be above zero",
+                self.table.place(row, self.column_of["u"]) if "u" in self.column_of else "mapping, u",
+                "Leave the cell empty where it is unknown.",
+            )
+        return keep
+
+    def _finish(self, keep, derive, point, sense, value, u, kind) -> Readings:
+        columns = {b: v[keep] for b, v in self.values.items() if b in POSITION or b in self._drivers()}
+        tool = np.stack([columns.pop(a, np.zeros(int(keep.sum()))) for a in TOOL], axis=1)
+        has_tool = any(a in self.values for a in TOOL)
+        categories = {k: v[keep] for k, v in self.categories.items()}
+        run = None if self.run is None else self.run[keep]
+        line = self.table.line[keep]
+        order = self._time_order(columns.get("t"), run, line)
+        if order is not None:
+            columns = {k: v[order] for k, v in columns.items()}
+            categories = {k: v[order] for k, v in categories.items()}
+            run = None if run is None else run[order]
+            tool, line = tool[order], line[order]
+            place = np.empty_like(order)
+            place[order] = np.arange(len(order))
+            rows = np.argsort(place[point], kind="stable")
+            point, sense, value, u, kind = place[point][rows], sense[rows], value[rows], u[rows], kind[rows]
+        if derive:
+            self._derive_directions(columns)
+        return Readings(
+            q=np.stack([columns[a] for a in POSITION], axis=1),
+            point=point,
+            sense=sense,
+            value=value,
+            u=u,
+            kind=kind,
+            columns=columns,
+            units={b: self.units.get(b, "") for b in columns},
+            categories=categories,
+            run=run,
+            tool_offset=tool if has_tool else None,
+            line=line,
+            findings=tuple(self.findings),
+        )
+
+    def _time_order(self, t, run, line):
+        """A stable order by time if the file is not in it, else None."""
+        if t is None or np.all(np.diff(t) >= 0):
+            return None
+        back = np.flatnonzero(np.diff(t) < 0)
+        text = f"time runs backwards at {len(back)} places: rows are taken in the order of t"
+        if run is not None and np.all(run[back] != run[back + 1]):
+            text += "; it does so only between runs, which are taken to share one clock"
+        self._note("warning", "time-order", text, int(line[back[0] + 1]))
+        return np.argsort(t, kind="stable")
+
+    def _derive_directions(self, columns: dict) -> None:
+        derived = []
+        for a in POSITION:
+            if f"dir_{a}" in columns or f"dir_{a}" in self.values:
+                continue
+            direction = approach_directions(columns[a])
+            if direction.any():
+                columns[f"dir_{a}"] = direction
+                self.units[f"dir_{a}"] = ""
+                derived.append(f"dir_{a}")
+        if derived:
+            order = "time" if "t" in columns else "the file"
+            self._note(
+                "info",
+                "direction-derived",
+                f"{', '.join(derived)} not given: derived from successive positions in the order of {order}",
+            )
+
+
+def approach_directions(position) -> np.ndarray:
+    """(P,) -1, 0, +1: sign of the last move that changed `position` (P,) mm; 0 before the first move."""
+    move = np.diff(np.asarray(position, dtype=float), prepend=position[0])
+    sign = np.where(np.abs(move) > STILL_MM, np.sign(move), 0.0)
+    last = np.maximum.accumulate(np.where(sign != 0, np.arange(len(sign)), 0))
+    return sign[last]
+
+
+def _lines(lines) -> str:
+    shown = ", ".join(str(int(v)) for v in lines[:5])
+    word = "line" if len(lines) == 1 else "lines"
+    return f"{word} {shown}" + (f" and {len(lines) - 5} more" if len(lines) > 5 else "")
