@@ -66,8 +66,9 @@ def _counts(counts, least: int) -> tuple[int, int, int]:
     counts = (counts,) * 3 if np.isscalar(counts) else tuple(counts)
     if len(counts) != 3 or any(int(c) != c or c < least for c in counts):
         raise Refused(f"{counts} is not a number of positions per axis", "positions", f"Give at least {least}.")
-    if np.prod(counts, dtype=float) > MAX_POINTS:
-        raise Refused(f"{np.prod(counts, dtype=float):.0f} positions are too many", "positions", f"Stay below {MAX_POINTS}.")
+    product = np.prod(counts, dtype=float)
+    if product > MAX_POINTS:
+        raise Refused(f"{product:.0f} positions are too many", "positions", f"Stay below {MAX_POINTS}.")
     return tuple(int(c) for c in counts)
 
 
@@ -96,8 +97,8 @@ def at(machine: Machine, position) -> Positions:
 class Sensitivity:
     """Indices of a machine over positions.
 
-    symbols (n), owners (n); first, total, total_max (n,): means over the positions and largest value; first_vw, total_vw:
-    the same means weighted by V(Y).  bodies (g), component_first, component_total, component_total_max (g,) and
+    symbols (n), owners (n); first, total, total_max (n,): means over the positions and largest value; first_vw,
+    total_vw: the same means weighted by V(Y).  bodies (g), component_first, component_total, component_total_max (g,) and
     component_total_vw: group indices of each component.  mean_square E[Y], variance V(Y): mean over the positions (mm²,
     mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of `total` between this
     quadrature and one of two orders less (None for a grid or one position).
@@ -167,8 +168,9 @@ def sensitivity(
     bodies = tuple(b for b in BODIES if b in owners)
     groups = [[i for i, o in enumerate(owners) if o == b] for b in bodies]
     n, g = len(labels), len(bodies)
-    sums = {k: np.zeros(n) for k in ("first", "total", "first_vw", "total_vw", "total_max")}
-    sums |= {k: np.zeros(g) for k in ("component_first", "component_total", "component_total_max", "component_total_vw")}
+    of_errors = ("first", "total", "first_vw", "total_vw", "total_max")
+    of_components = ("component_first", "component_total", "component_total_max", "component_total_vw")
+    sums = {k: np.zeros(n) for k in of_errors} | {k: np.zeros(g) for k in of_components}
     mean_square = variance = 0.0
     count = len(positions.q)
     for start in range(0, count, CHUNK):
