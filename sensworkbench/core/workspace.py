@@ -98,10 +98,10 @@ class Sensitivity:
     """Indices of a machine over positions.
 
     symbols (n), owners (n); first, total, total_max (n,): means over the positions and largest value; first_vw,
-    total_vw: the same means weighted by V(Y).  bodies (g), component_first, component_total, component_total_max (g,) and
-    component_total_vw: group indices of each component.  mean_square E[Y], variance V(Y): mean over the positions (mm²,
-    mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of `total` between this
-    quadrature and one of two orders less (None for a grid or one position).
+    total_vw: the same means weighted by V(Y).  bodies (g); component_first, component_total, component_total_max,
+    component_total_vw (g,): group indices of each component.  mean_square E[Y], variance V(Y): mean over the
+    positions (mm², mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of
+    `total` between this quadrature and one of two orders less (None for a grid or one position).
     """
 
     symbols: tuple[str, ...]
