@@ -175,7 +175,7 @@ class Place:
         return Place(self.value[key], (*self.path, key), self._lines, self.name)
 
     def keys(self, allowed, required=()) -> list[str]:
-        """The keys of an object, refusing unknown ones (those that begin with "x-" are let through) and missing ones."""
+        """The keys of an object without "x-" ones; refuses unknown keys (never "x-" ones) and missing ones."""
         if not isinstance(self.value, dict):
             raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
         for key in self.value:
@@ -187,7 +187,7 @@ class Place:
                 raise self.refuse(f"{short(key)} is missing")
         return [k for k in self.value if not k.startswith("x-")]
 
-    def items(self) -> list[tuple[str, Place]]:
+    def members(self) -> list[tuple[str, Place]]:
         """Name and place of every member of an object whose names are free."""
         if not isinstance(self.value, dict):
             raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")

@@ -105,7 +105,7 @@ def _axes(place: Place) -> dict[str, Axis]:
 def _symbols(place: Place):
     """(ISO symbol, place) of every member; aliases are understood, the same error under two names is refused."""
     seen = {}
-    for key, entry in place.items():
+    for key, entry in place.members():
         if key.startswith("x-"):
             raise entry.refuse(
                 f"{short(key)} is not kept here", 'Put keys that begin with "x-" at the top of the file.'
@@ -160,14 +160,14 @@ def _declared(place: Place) -> dict[str, int]:
 def _fitted(place: Place) -> dict:
     """Checked, and returned as it stands (plain data; symbols under their ISO names)."""
     found: dict = {}
-    for key, entry in place.items():
+    for key, entry in place.members():
         if key == "alignment":
             found[key] = {}
             for symbol, value in _symbols(entry):
                 _value(value)
                 found[key][symbol] = value.value
         elif key == "runs":
-            for _, offset in entry.items():
+            for _, offset in entry.members():
                 offset.numbers(3)
             found[key] = entry.value
         elif key == "covariance":
@@ -245,7 +245,7 @@ def _effects(place: Place) -> tuple[Effect, ...]:
         if not all(part.strip() == part and part for part in driver.split("*")):
             raise entry["driver"].refuse(f"{short(driver)} is not column names joined by *")
         parameters = entry["parameters"]
-        for _, parameter in parameters.items():
+        for _, parameter in parameters.members():
             if isinstance(parameter.value, list):
                 parameter.numbers()
             else:
@@ -320,7 +320,7 @@ def save(machine: Machine, path) -> None:
 
 
 def tolerance_dict(symbol: str, tolerance: Tolerance, unit: str | None = None) -> dict:
-    """A tolerance as it stands in the file, in um or urad (or `unit`); in mm or rad where only that reads back equal."""
+    """A tolerance as it stands in the file, in um or urad (or `unit`); mm or rad where only that reads back equal."""
     angular = component(symbol).angular
     unit = unit or component(symbol).unit
     values = {"lower": tolerance.lower, "upper": tolerance.upper}

@@ -14,12 +14,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from sensworkbench.core.errors import BODIES, BODY_NAMES, SQUARENESS_SYMBOLS, component
+from sensworkbench.core.distributions import moments
+from sensworkbench.core.errors import BODIES, BODY_NAMES, SQUARENESS, TRANSLATION, component
 from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
-from sensworkbench.core.sobol import paper_eq18
+from sensworkbench.core.refusal import Refused
+from sensworkbench.core.sobol import group_indices, paper_eq18, signed_group_indices
 from sensworkbench.core.synthesis import POSITION, omega
 from sensworkbench.core.units import factor
-from sensworkbench.core.workspace import Positions, Sensitivity, error_table, sensitivity
+from sensworkbench.core.workspace import CHUNK, Positions, Sensitivity, error_table, sensitivity
 
 from .files import neutral
 
@@ -83,14 +85,79 @@ def moments_shown(result: Sensitivity) -> dict:
     return shown
 
 
-def squareness_comparison(machine: Machine, result: Sensitivity) -> dict:
-    """The indices under both squareness conventions: convention -> Sensitivity, `result` itself among them."""
-    return {
-        c: result
-        if c == machine.squareness
-        else sensitivity(replace(machine, squareness=c), result.positions, result.objective, estimate=False)
-        for c in SQUARENESS_CONVENTIONS
-    }
+KINDS = ("straightness", "linear displacement", "angular", "squareness", "spindle", "workpiece", "traced effects")
+
+
+def kind_of(label: str, column: str) -> str:
+    """The kind of error as Park & Yang group them."""
+    c = component(column)
+    if label != column:
+        return "traced effects"
+    if c.body in ("T", "W"):
+        return "spindle" if c.body == "T" else "workpiece"
+    if c.kind == TRANSLATION:
+        return "linear displacement" if "XYZ"[c.axis] == c.body else "straightness"
+    return "squareness" if c.kind == SQUARENESS else "angular"
+
+
+def kind_indices(machine: Machine, result: Sensitivity) -> dict:
+    """kind -> {"first", "total"}: group indices of all errors of a kind, mean over the positions of `result`."""
+    labels, columns, _, laws = error_table(machine)
+    kinds = [kind_of(*pair) for pair in zip(labels, columns)]
+    present = [k for k in KINDS if k in kinds]
+    groups = [[i for i, k in enumerate(kinds) if k == kind] for kind in present]
+    law, objective, positions = moments(laws), result.objective, result.positions
+    several = signed_group_indices if objective.signed else group_indices
+    first, total = np.zeros(len(groups)), np.zeros(len(groups))
+    for start in range(0, len(positions.q), CHUNK):
+        block = slice(start, start + CHUNK)
+        matrix = omega(machine, columns, positions.q[block], output=objective.output)
+        found = several(matrix, law, groups, objective.weights)
+        first += positions.weights[block] @ found.first
+        total += positions.weights[block] @ found.total
+    return {k: {"first": float(f), "total": float(t)} for k, f, t in zip(present, first, total)}
+
+
+def squareness_conventions(machine: Machine, result: Sensitivity) -> dict:
+    """The same indices under both squareness conventions, and what becomes of the paper's finding under each."""
+    out = {}
+    for convention in SQUARENESS_CONVENTIONS:
+        other = replace(machine, squareness=convention)
+        r = result
+        if convention != machine.squareness:
+            try:
+                r = sensitivity(other, result.positions, result.objective, estimate=False)
+            except Refused:  # an objective that only one convention gives a variance
+                continue
+        order, kinds = ranking(r), kind_indices(other, r)
+        out[convention] = {
+            "words": SQUARENESS_WORDS[convention],
+            "total": {s: float(t) for s, t in zip(r.symbols, r.total)},
+            "largest": [r.symbols[i] for i in order[:6]],
+            "kinds": kinds,
+            "finding": finding(r, order, kinds),
+        }
+    return out
+
+
+def finding(result: Sensitivity, order: list[int], kinds: dict) -> str:
+    """One sentence: does what Park & Yang found hold here?"""
+    ranked = sorted(kinds, key=lambda k: -kinds[k]["total"])
+    words = f"{result.symbols[order[0]]} comes first (Sᵀ = {result.total[order[0]]:.3f}); the kinds rank " + ", ".join(
+        f"{k} {kinds[k]['total']:.3f}" for k in ranked if kinds[k]["total"] > 0
+    )
+    if not {"squareness", "angular", "linear displacement", "spindle", "straightness"} <= set(kinds):
+        return words + "."
+    leading = {"squareness", "angular"} == set(ranked[:2])
+    small = max(kinds["linear displacement"]["total"], kinds["spindle"]["total"]) < 0.1
+    if leading and small:
+        return (
+            words
+            + ". The paper's finding holds: squareness and angular errors lead, displacement and spindle are small."
+        )
+    if small:
+        return words + ". Of the paper's finding only the second half holds: displacement and spindle are small."
+    return words + ". The paper's finding does not hold with these tolerances."
 
 
 def paper_as_printed(machine: Machine, result: Sensitivity) -> dict | None:
@@ -192,7 +259,6 @@ def to_dict(machine: Machine, result: Sensitivity, angle_unit: str = "urad") -> 
     at = result.positions.kind == "at"
     q = mean_position(machine, result)
     arms = machine.lever_arms(q)
-    both = squareness_comparison(machine, result)
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -214,14 +280,7 @@ def to_dict(machine: Machine, result: Sensitivity, angle_unit: str = "urad") -> 
         "conventions": CONVENTIONS | {"squareness": SQUARENESS_WORDS[machine.squareness]},
         "lever_arms_mm": {"position": [float(v) for v in q]} | {b: arms[b][0].tolist() for b in BODIES},
         "skew_deg": machine.skew_deg,
-        "squareness_conventions": {
-            c: {
-                "words": SQUARENESS_WORDS[c],
-                "total": {s: float(r.total[r.symbols.index(s)]) for s in SQUARENESS_SYMBOLS if s in r.symbols},
-                "largest": [r.symbols[i] for i in ranking(r)[:3]],
-            }
-            for c, r in both.items()
-        },
+        "squareness_conventions": squareness_conventions(machine, result),
         "paper_eq18": paper_as_printed(machine, result),
     }
 

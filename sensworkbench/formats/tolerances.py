@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tolerances as a table of their own: CSV for a spreadsheet, JSON for a program, both with units.
+
+CSV: `symbol, lower, upper, unit, distribution, sigma` (the last three may be missing: um or urad, uniform, none), `#`
+lines are comments, a semicolon may separate the cells, a limit may carry its own unit ("12 arcsec").  JSON:
+{"format": "sens-tolerances", "version": 1, "tolerances": {...}} with the entries of machine.json.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Mapping
+from pathlib import Path
+
+from sensworkbench.core.distributions import Tolerance
+from sensworkbench.core.errors import component
+from sensworkbench.core.refusal import Refused
+from sensworkbench.core.units import parse as parse_quantity
+
+from .files import neutral, read_text, write_text
+from .json_text import parse as parse_json
+from .json_text import short
+from .machine_json import tolerance_dict
+from .machine_json import tolerances as from_json
+
+FORMAT, VERSION = "sens-tolerances", 1
+COLUMNS = ("symbol", "lower", "upper", "unit", "distribution", "sigma")
+_SHOWN = 8  # findings that one refusal lists
+_LIMIT = 2 * 2**20
+
+
+def load(path) -> dict[str, Tolerance]:
+    """symbol -> Tolerance of a .csv or .json file.  Refuses with every finding's line and column."""
+    text = read_text(path, _LIMIT)
+    if text.lstrip()[:1] in ("{", "["):
+        return loads_json(text, str(path))
+    return loads_csv(text, str(path))
+
+
+def save(tolerances: Mapping[str, Tolerance], path, angle_unit: str = "urad") -> None:
+    """Write .json, or CSV under any other ending, in one step."""
+    dumps = dumps_json if Path(path).suffix.lower() == ".json" else dumps_csv
+    write_text(path, dumps(tolerances, angle_unit))
+
+
+def loads_json(text: str, name: str = "tolerances.json") -> dict[str, Tolerance]:
+    """symbol -> Tolerance of a tolerance file, or of the tolerances in a machine file."""
+    top = parse_json(text, name)
+    kind = top.value.get("format") if isinstance(top.value, dict) else None
+    if kind not in (FORMAT, "sens-machine"):
+        raise top.refuse("these are not tolerances", f'A tolerance file is an object with "format": "{FORMAT}".')
+    if kind == FORMAT:
+        top.keys(("format", "version", "tolerances"), ("format", "version", "tolerances"))
+        if top.value["version"] != VERSION:
+            raise top["version"].refuse(f"version {short(top.value['version'])} is not known", f"Known is {VERSION}.")
+    elif "tolerances" not in top:
+        raise top.refuse("this machine states no tolerances of its own")
+    return from_json(top["tolerances"])
+
+
+def dumps_json(tolerances: Mapping[str, Tolerance], angle_unit: str = "urad") -> str:
+    """The text of a tolerance file."""
+    table = {s: tolerance_dict(s, t, _unit(s, angle_unit)) for s, t in tolerances.items()}
+    data = {"format": FORMAT, "version": VERSION, "tolerances": table}
+    return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _unit(symbol: str, angle_unit: str) -> str:
+    return angle_unit if component(symbol).angular else "um"
+
+
+def dumps_csv(tolerances: Mapping[str, Tolerance], angle_unit: str = "urad") -> str:
+    """The table as CSV."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for symbol, tolerance in tolerances.items():
+        row = tolerance_dict(symbol, tolerance, _unit(symbol, angle_unit)) | {"symbol": neutral(symbol)}
+        writer.writerow([row.get(c, "") for c in COLUMNS])
+    return stream.getvalue()
+
+
+def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
+    """symbol -> Tolerance of a table.  All findings are collected and refused together."""
+    lines = [(n, line) for n, line in enumerate(text.splitlines(), start=1) if line.strip() and line.lstrip()[0] != "#"]
+    if not lines:
+        raise Refused("the file is empty", name, f"Its first row names the columns: {', '.join(COLUMNS)}.")
+    first, header = lines[0]
+    mark = max(",;\t", key=header.count)
+    names = [c.strip().lower() for c in _cells(header, mark)]
+    for column in names:
+        if column not in COLUMNS:
+            raise Refused(f"unknown column {short(column)}", f"{name}, line {first}", f"Known: {', '.join(COLUMNS)}.")
+        if names.count(column) > 1:
+            raise Refused(f"column {short(column)} stands twice", f"{name}, line {first}", "Keep one.")
+    for column in COLUMNS[:3]:
+        if column not in names:
+            raise Refused(f"column {short(column)} is missing", f"{name}, line {first}")
+    found: dict[str, Tolerance] = {}
+    findings: list[Refused] = []
+    for number, line in lines[1:]:
+        where = f"{name}, line {number}"
+        try:
+            symbol, tolerance = _row(names, _cells(line, mark), where)
+            if symbol in found:
+                raise Refused(f"{symbol} stands twice", f"{where}, column symbol", "Keep one.")
+            found[symbol] = tolerance
+        except Refused as refused:
+            findings.append(refused)
+    if findings:
+        rest = f"\n... and {len(findings) - _SHOWN} more." if len(findings) > _SHOWN else ""
+        first_one, *others = findings[:_SHOWN]
+        words = "\n".join(f.message for f in others)
+        raise Refused(
+            first_one.what, first_one.where, (first_one.do + ("\n" + words if words else "") + rest).strip(" ")
+        )
+    if not found:
+        raise Refused("there is no tolerance below the names of the columns", name)
+    return found
+
+
+def _cells(line: str, mark: str) -> list[str]:
+    return next(csv.reader([line], delimiter=mark), [])
+
+
+def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance]:
+    if len(cells) > len(names):
+        raise Refused(f"{len(cells)} cells under {len(names)} columns", where, "Write decimals with a point.")
+    row = dict.fromkeys(COLUMNS, "") | {n: c.strip() for n, c in zip(names, cells)}
+    c = component(row["symbol"], f"{where}, column symbol")
+    unit = row["unit"] or c.unit
+    values: dict[str, float | None] = {"sigma": None}
+    for column in ("lower", "upper", "sigma"):
+        if row[column]:
+            place = f"{where}, column {column}"
+            values[column] = parse_quantity(row[column], angular=c.angular, default_unit=unit, where=place)
+        elif column != "sigma":
+            raise Refused(f"{c.symbol} has no {column} limit", f"{where}, column {column}")
+    try:
+        law = row["distribution"] or "uniform"
+        return c.symbol, Tolerance(values["lower"], values["upper"], law, values["sigma"])
+    except Refused as refused:
+        column = "distribution" if "distribution" in refused.what else "sigma" if "sigma" in refused.what else "upper"
+        raise Refused(refused.what, f"{where}, column {column}", refused.do) from None
