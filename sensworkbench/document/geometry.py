@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Directions and points out of coordinate systems, datums, edges, faces and parts, in document coordinates, mm."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import Part
+
+from ..core.refusal import Refused
+from .paths import DATUM_TYPES, LINE_ALONG_X, LINE_ALONG_Z, PLANES, Place, leaves
+
+LOCAL = {"X": App.Vector(1, 0, 0), "Y": App.Vector(0, 1, 0), "Z": App.Vector(0, 0, 1)}
+
+
+def direction(where: Place, along: str, name: str) -> tuple[App.Vector, str]:
+    """(unit vector, words) of the direction at a place.  along : an entry of `objects.DIRECTION_CHOICES`.
+
+    name : "X", "Y" or "Z", the axis that it is for: the local axis that a coordinate system or part gives by default.
+    """
+    if along.startswith("Local "):
+        return _local(where, along[-1])
+    if where.element:
+        return _of_shape(where, where.shape())
+    kind = _real(where).TypeId
+    if kind in LINE_ALONG_X:
+        return _local(where, "X")
+    if kind in LINE_ALONG_Z or kind in PLANES:
+        return _local(where, "Z")
+    if kind not in DATUM_TYPES:
+        shape = where.shape()
+        if shape is not None and len(shape.Edges) == 1 and not shape.Faces and _is_line(shape.Edges[0]):
+            return _of_shape(where, shape.Edges[0])
+    return _local(where, name)
+
+
+def _local(where: Place, letter: str):
+    return where.placement.Rotation.multVec(LOCAL[letter]), f"local {letter} of {where.object.Label}"
+
+
+def _real(where: Place):
+    obj = where.object
+    return (obj.getLinkedObject(True) if hasattr(obj, "getLinkedObject") else obj) or obj
+
+
+def _is_line(edge) -> bool:
+    return isinstance(edge.Curve, (Part.Line, Part.LineSegment))
+
+
+def _of_shape(where: Place, shape):
+    kind = shape.ShapeType
+    if kind == "Edge":
+        if _is_line(shape):
+            found = shape.tangentAt(shape.FirstParameter)
+            return found.normalize(), f"along {where.label}"
+        if hasattr(shape.Curve, "Axis"):
+            return App.Vector(shape.Curve.Axis).normalize(), f"axis of {where.label}"
+    if kind == "Face":
+        surface = shape.Surface
+        if isinstance(surface, Part.Plane):
+            u0, u1, v0, v1 = shape.ParameterRange
+            return shape.normalAt((u0 + u1) / 2, (v0 + v1) / 2).normalize(), f"normal of {where.label}"
+        if hasattr(surface, "Axis"):
+            return App.Vector(surface.Axis).normalize(), f"axis of {where.label}"
+    raise Refused(
+        f"{where.label!r} gives no direction",
+        where.object.Label,
+        "Choose a straight or circular edge, a flat or cylindrical face, a datum, or a local axis.",
+    )
+
+
+def point(where: Place, at: str) -> tuple[App.Vector, str]:
+    """(point, words) at a place.  at : an entry of `objects.REFERENCE_CHOICES`."""
+    if at == "Placement":
+        return where.placement.Base, f"placement of {where.object.Label}"
+    if at == "Centre of mass":
+        found = centre_of_mass([where])
+        if found is None:
+            raise Refused(f"{where.object.Label!r} has no solid", where.object.Label, "Choose another reference.")
+        return found, f"centre of mass of {where.object.Label}"
+    if where.element:
+        return _point_of_shape(where, where.shape())
+    if _real(where).TypeId not in DATUM_TYPES:
+        found = centre_of_mass([where])
+        if found is not None:
+            return found, f"centre of mass of {where.object.Label}"
+        shape = where.shape()
+        if shape is not None and shape.ShapeType in ("Vertex", "Edge", "Wire") and len(shape.Edges) <= 1:
+            return _point_of_shape(where, shape.Edges[0] if shape.Edges else shape)
+    return where.placement.Base, f"origin of {where.object.Label}"
+
+
+def _point_of_shape(where: Place, shape):
+    if shape.ShapeType == "Vertex":
+        return shape.Point, f"{where.label}"
+    if shape.ShapeType == "Edge" and hasattr(shape.Curve, "Center"):
+        return App.Vector(shape.Curve.Center), f"centre of {where.label}"
+    if hasattr(shape, "CenterOfMass"):
+        return shape.CenterOfMass, f"middle of {where.label}"
+    raise Refused(f"{where.label!r} gives no point", where.object.Label, "Choose a vertex, an edge, a face or a datum.")
+
+
+def centre_of_mass(where: list[Place]) -> App.Vector | None:
+    """Centre of mass of all solids at or below the places, one density; None without solids."""
+    total, mass = App.Vector(), 0.0
+    for leaf in (leaf for w in where for leaf in leaves(w)):
+        shape = leaf.shape()
+        for solid in shape.Solids if shape is not None else ():
+            total += solid.CenterOfMass * solid.Volume
+            mass += solid.Volume
+    return total * (1 / mass) if mass > 0 else None

@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a linked part or piece of geometry really stands: object, path, element, and the placement along the path.
+
+A part in a moved App::Part, behind an App::Link or in another document stands where its whole path puts it; the same
+part linked twice has two paths.  FreeCAD's own global placement ignores links, so nothing here uses it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import FreeCAD as App
+
+from ..core.refusal import Refused
+
+PLACEMENT_ONLY = 3  # retType of getSubObject
+
+
+def container_of(obj):
+    """The App::Part, Body or assembly that holds `obj`, or None."""
+    return obj.getParentGeoFeatureGroup() if hasattr(obj, "getParentGeoFeatureGroup") else None
+
+
+def _is_folder(obj) -> bool:
+    return obj.isDerivedFrom("App::DocumentObjectGroup")
+
+
+def _is_body(obj) -> bool:
+    return obj.isDerivedFrom("PartDesign::Body")
+
+
+@dataclass(frozen=True, eq=False)
+class Place:
+    """An object where it stands.  root : topmost object.  path : "Inner.Link.Part." or "".  element : "Face6" or ""."""
+
+    root: App.DocumentObject
+    path: str = ""
+    element: str = ""
+
+    @property
+    def chain(self) -> list:
+        """The objects from the topmost one to the one that is meant; refuses a path that leads nowhere."""
+        found, reached = [self.root], self.root.getSubObject(self.path, retType=1) if self.path else self.root
+        if reached is None:
+            raise Refused(
+                f"nothing stands any more at {self.path.rstrip('.')!r} in {self.root.Label!r}",
+                self.root.Label,
+                "Choose the part again.",
+            )
+        names = [n for n in self.path.split(".") if n and not n.startswith(";")]
+        for i in range(len(names)):
+            found.append(self.root.getSubObject(".".join(names[: i + 1]) + ".", retType=1))
+        return found
+
+    @property
+    def object(self):
+        return self.chain[-1]
+
+    @property
+    def label(self) -> str:
+        return self.object.Label + (f" {self.element}" if self.element else "")
+
+    @property
+    def key(self) -> tuple:
+        """Identifies the occurrence: (document, name) along the path, folders left out."""
+        return tuple((o.Document.Name, o.Name) for o in self.chain if not _is_folder(o))
+
+    @property
+    def placement(self) -> App.Placement:
+        """Placement in the coordinates of the document that holds the topmost object."""
+        self.chain  # noqa: B018 - refuses a dead path
+        return _outer(self.root) * self.root.getSubObject(self.path, retType=PLACEMENT_ONLY)
+
+    @property
+    def parent_placement(self) -> App.Placement:
+        """Placement of the container that the object's own Placement is written in."""
+        if not self.path:
+            return _outer(self.root)
+        names = self.path.rstrip(".").split(".")[:-1]
+        return Place(self.root, ".".join(names) + "." if names else "").placement
+
+    def shape(self):
+        """The element's shape (or the object's, None where it has none) in document coordinates."""
+        self.chain  # noqa: B018
+        shape = self.root.getSubObject(self.path + self.element)
+        if shape is None or isinstance(shape, (list, tuple)) or not hasattr(shape, "ShapeType"):
+            if self.element:
+                raise Refused(f"{self.label!r} is not there any more", self.object.Label, "Choose the geometry again.")
+            return None
+        outer = _outer(self.root)
+        if not outer.isIdentity():
+            shape = shape.transformed(outer.toMatrix())
+        return shape
+
+    def child(self, obj) -> Place:
+        return Place(self.root, f"{self.path}{obj.Name}.")
+
+
+def _outer(root) -> App.Placement:
+    placement = App.Placement()
+    while (root := container_of(root)) is not None:
+        placement = root.Placement * placement
+    return placement
+
+
+def place(link) -> Place | None:
+    """The `Place` of an object, (object, "path.element"), (object, ["path.element"]) or a PropertyXLinkSub value.
+
+    A path that starts inside a container is extended to the topmost one.  None for None or an empty link.
+    """
+    if isinstance(link, Place):
+        return link
+    obj, sub = link if isinstance(link, (tuple, list)) else (link, "")
+    if isinstance(sub, (tuple, list)):
+        if len(sub) > 1:
+            raise Refused(f"{len(sub)} elements where one is wanted", obj.Label, "Choose one.")
+        sub = sub[0] if sub else ""
+    if obj is None:
+        return None
+    path, _, element = sub.rpartition(".")
+    path = path + "." if path else ""
+    while (outer := container_of(obj)) is not None:
+        path = f"{obj.Name}.{path}"
+        obj = outer
+    return Place(obj, path, element)
+
+
+def _whole(found: Place) -> Place:
+    """Parts move as wholes: the element goes, and a feature inside a PartDesign body stands for the body."""
+    names = found.path.rstrip(".").split(".") if found.path else []
+    for i, obj in enumerate(found.chain):
+        if _is_body(obj):
+            return Place(found.root, ".".join(names[:i]) + "." if i else "")
+    return Place(found.root, found.path)
+
+
+def places(links) -> list[Place]:
+    """The `Place`s of a PropertyXLinkSubList value or a list of what `place` takes; folders stand for their content."""
+    found = []
+    for link in links:
+        obj, subs = link if isinstance(link, (tuple, list)) else (link, "")
+        for sub in subs if isinstance(subs, (tuple, list)) and subs else [subs or ""]:
+            where = obj if isinstance(obj, Place) else place((obj, sub))
+            if where is not None:
+                found.extend(_expanded(_whole(where)))
+    unique = {}
+    for where in found:
+        unique.setdefault(where.key, where)
+    return list(unique.values())
+
+
+def _expanded(where: Place) -> list[Place]:
+    obj = where.object
+    if not _is_folder(obj):
+        return [where]
+    inside = [place((o, "")) if not where.path else where.child(o) for o in obj.Group]
+    return [leaf for w in inside for leaf in _expanded(w)]
+
+
+def as_links(parts) -> list:
+    """Value for a PropertyXLinkSubList."""
+    if parts is None or isinstance(parts, (App.DocumentObject, Place)):
+        parts = [] if parts is None else [parts]
+    return [(w.root, w.path) for w in (_whole(p) for p in map(place, _flat(parts)) if p is not None)]
+
+
+def _flat(parts):
+    for part in parts:
+        if isinstance(part, (tuple, list)) and len(part) == 2 and isinstance(part[1], (tuple, list)):
+            yield from ((part[0], sub) for sub in part[1] or [""])
+        else:
+            yield part
+
+
+def as_sub(source):
+    """Value for a PropertyXLinkSub."""
+    found = None if source is None else place(source)
+    return None if found is None else (found.root, [found.path + found.element])
+
+
+# -- leaves ----------------------------------------------------------------------------------------------------------
+def leaves(where: Place) -> list[Place]:
+    """The things with a shape of their own at or below a place: what is coloured, and what has mass.
+
+    Containers and links to containers are walked; what another feature of the container has consumed is left out.
+    """
+    obj = where.object
+    real = obj.getLinkedObject(True) if hasattr(obj, "getLinkedObject") else obj
+    if real is None:
+        return []
+    if _is_body(real) or not hasattr(real, "Group"):
+        return [where] if hasattr(real, "Shape") and not _is_datum(real) else []
+    content = [o for o in real.Group if o is not None]
+    inside_folder = {o for f in content if _is_folder(f) for o in f.Group}
+    content = [o for o in content if o not in inside_folder]
+    used = {used for o in content if hasattr(o, "Shape") and not hasattr(o, "Group") for used in _inputs(o)}
+    return [leaf for o in content if o not in used for leaf in leaves(where.child(o))]
+
+
+def _inputs(obj) -> set:
+    if obj.isDerivedFrom("App::Link"):
+        return set()
+    attached = {o for name in ("Support", "AttachmentSupport") for o, _ in getattr(obj, name, None) or ()}
+    return set(obj.OutList) - attached
+
+
+def _is_datum(obj) -> bool:
+    return obj.TypeId in DATUM_TYPES
+
+
+LINE_ALONG_X = {"App::Line"}
+LINE_ALONG_Z = {"PartDesign::Line", "Part::DatumLine"}
+PLANES = {"App::Plane", "PartDesign::Plane", "Part::DatumPlane"}
+DATUM_TYPES = (
+    LINE_ALONG_X | LINE_ALONG_Z | PLANES
+    | {"PartDesign::CoordinateSystem", "Part::LocalCoordinateSystem", "App::LocalCoordinateSystem", "App::Point",
+       "PartDesign::Point", "Part::DatumPoint", "App::Placement", "App::Origin"}
+)  # fmt: skip

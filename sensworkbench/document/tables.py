@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tolerance table of a machine, between the document's lists and the core's `Tolerance`s (mm and rad)."""
+
+from __future__ import annotations
+
+from ..core.distributions import Tolerance, with_defaults
+from ..core.errors import component
+from ..core.refusal import Refused
+from ..core.units import factor
+from .base import put
+
+COLUMNS = ("Symbols", "Lower", "Upper", "Units", "Distributions", "Sigmas")
+
+
+def _table(machine):
+    from .factory import tolerances_of
+
+    return tolerances_of(machine)
+
+
+def read_tolerances(machine) -> dict[str, Tolerance]:
+    """symbol -> Tolerance as stored; empty without a table.  Refuses a damaged table."""
+    table = _table(machine)
+    if table is None:
+        return {}
+    columns = [list(getattr(table, name)) for name in COLUMNS]
+    if len({len(c) for c in columns}) > 1:
+        raise Refused("its lists differ in length", table.Label, "Delete it and enter the tolerances again.")
+    found = {}
+    for symbol, lower, upper, _, distribution, sigma in zip(*columns):
+        key = component(symbol, table.Label).symbol
+        try:
+            found[key] = Tolerance(lower, upper, distribution, sigma if sigma > 0 else None)
+        except Refused as error:
+            raise error.at(f"{table.Label}, {key}") from None
+    return found
+
+
+def read_units(machine) -> dict[str, str]:
+    """symbol -> unit in which the limits are shown."""
+    table = _table(machine)
+    return dict(zip(table.Symbols, table.Units)) if table else {}
+
+
+def write_tolerances(machine, tolerances: dict[str, Tolerance], units: dict[str, str] | None = None) -> None:
+    """Store `tolerances` (the errors that are not given take the paper's); units default to those already shown."""
+    from .factory import make_tolerances
+
+    units = {**read_units(machine), **(units or {})}
+    full = with_defaults({component(s).symbol: t for s, t in tolerances.items()})
+    shown = [units.get(s) or component(s).unit for s in full]
+    for symbol, unit in zip(full, shown):
+        factor(unit, angular=component(symbol).angular, where=symbol)
+    table = _table(machine) or make_tolerances(machine)
+    put(table, "Symbols", list(full))
+    put(table, "Lower", [t.lower for t in full.values()])
+    put(table, "Upper", [t.upper for t in full.values()])
+    put(table, "Units", shown)
+    put(table, "Distributions", [t.distribution for t in full.values()])
+    put(table, "Sigmas", [t.sigma or 0.0 for t in full.values()])

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Placements become lever arms, wherever in the tree the parts stand."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import numpy as np
+import pytest
+
+from sensworkbench.core import synthesis, workspace
+from sensworkbench.core.refusal import Refused
+from sensworkbench.document import extract, factory, jog, results
+from sensworkbench.document.base import numbers
+
+from .blocks import REFERENCES, TOOL, TURNED, P, R, V, block, close, golden_machine, point
+
+UM, URAD = 1e-3, 1e-6
+ERRORS = {
+    "EXX": 1 * UM, "EYX": 5 * UM, "EZX": -3 * UM, "EXY": 4 * UM, "EYY": -1 * UM, "EZY": 2 * UM, "EXZ": -2 * UM,
+    "EYZ": 3 * UM, "EZZ": 0.5 * UM, "EAX": 10 * URAD, "EBX": -15 * URAD, "ECX": 20 * URAD, "EAY": -5 * URAD,
+    "EBY": 12 * URAD, "ECY": 8 * URAD, "EAZ": 6 * URAD, "EBZ": -9 * URAD, "ECZ": 4 * URAD, "C0Y": 20 * URAD,
+    "A0Z": -15 * URAD, "B0Z": 10 * URAD,
+}  # fmt: skip
+GOLDEN = {
+    "FXYZ": (1.140, 12.890, -0.205), "YFXZ": (2.940, 14.490, -4.855), "XYFZ": (-0.060, 16.890, 2.045),
+    "XFYZ": (1.140, 16.890, 2.795),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("code", GOLDEN)
+def test_a_machine_of_parts_gives_the_golden_volumetric_error(doc, code):
+    machine = golden_machine(doc, code)
+    assert machine.Problem == ""
+    assert machine.Structure == code
+    error = synthesis.volumetric_error(extract.core_machine(machine), ERRORS, [[200, 150, -100]])
+    np.testing.assert_allclose(error[0] * 1e3, GOLDEN[code], atol=5e-7)
+
+
+def test_the_abbe_offset_is_tool_point_minus_reference_where_they_stand(doc):
+    machine = golden_machine(doc, "XYFZ")
+    z = factory.axis_of(machine, "Z")
+    assert close(z.AbbeOffset, V(*TOOL) - V(*REFERENCES["Z"]))
+    jog.jog(machine, {"X": 200, "Y": 150, "Z": -100})
+    doc.recompute()
+    assert close(z.AbbeOffset, V(*TOOL) - V(*REFERENCES["Z"]))  # both ride on Z
+    x = factory.axis_of(machine, "X")  # the table moves by -200 and -150, the tool by -100
+    assert close(x.AbbeOffset, V(*TOOL) + V(0, 0, -100) - (V(*REFERENCES["X"]) - V(200, 150, 0)))
+    assert x.AbbeOffsetX.Value == pytest.approx(10 - 30 + 200)
+    tip, reference = doc.getObject("Tip").Placement.Base, doc.getObject("RefX").Placement.Base
+    assert close(x.AbbeOffset, tip - reference)  # and the parts really stand there
+
+
+@pytest.mark.parametrize("code", GOLDEN)
+def test_a_machine_turned_and_shifted_as_a_whole_has_the_same_indices(doc, code):
+    straight = results.compute(golden_machine(doc, code))
+    part = doc.addObject("App::Part", "Hall")
+    inner = doc.addObject("App::Part", "Cell")
+    part.addObject(inner)
+    part.Placement, inner.Placement = TURNED, P(V(5, 6, 7), R(V(0, 1, 1), 100))
+    turned_machine = golden_machine(doc, code, parent=inner)
+    assert turned_machine.Problem == ""
+    u = numbers(factory.axis_of(turned_machine, "X").Direction)
+    assert close(u, (part.Placement * inner.Placement).Rotation.multVec(V(1, 0, 0)))
+    turned = results.compute(turned_machine)
+    np.testing.assert_allclose(turned.Total, straight.Total, atol=1e-9)
+    np.testing.assert_allclose(turned.First, straight.First, atol=1e-9)
+    assert turned.MeanSquare == pytest.approx(straight.MeanSquare, rel=1e-9)
+    assert factory.axis_of(turned_machine, "Y").AbbeOffsetX.Value == pytest.approx(10 + 60)
+
+
+def test_moving_the_whole_machine_does_not_make_results_stale_but_moving_a_reference_does(doc):
+    part = doc.addObject("App::Part", "Hall")
+    machine = golden_machine(doc, parent=part)
+    found = results.compute(machine)
+    part.Placement = TURNED
+    doc.recompute()
+    assert not found.Stale
+    doc.getObject("RefX").Placement.Base += V(0, 0, 1)
+    doc.recompute()
+    assert found.Stale
+    assert extract.core_machine(machine).axes["X"].reference != REFERENCES["X"]
+
+
+def test_moving_a_part_moves_what_was_taken_from_it(doc):
+    machine = golden_machine(doc)
+    x = factory.axis_of(machine, "X")
+    x.ReferenceSource = (doc.getObject("CarriageX"), ["Face6"])  # the top of a 20 mm cube at REFERENCES
+    doc.recompute()
+    before = V(x.ReferencePoint)
+    assert close(before, V(*REFERENCES["X"]) + V(10, 10, 20))
+    doc.getObject("CarriageX").Placement.Base += V(1, 2, 3)
+    doc.recompute()
+    assert close(x.ReferencePoint, before + V(1, 2, 3))
+
+
+def test_the_same_part_linked_twice_stands_in_two_places(doc):
+    carriage = doc.addObject("App::Part", "Carriage")
+    body = block(doc, "Block", (1, 2, 3), parent=carriage)
+    top = doc.addObject("App::Part", "Top")
+    links = []
+    for name, at in (("LinkX", (100, 0, 0)), ("LinkY", (0, 200, 0))):
+        link = doc.addObject("App::Link", name)
+        link.LinkedObject = carriage
+        link.Placement = P(V(*at), R(V(0, 0, 1), 90 if name == "LinkY" else 0))
+        top.addObject(link)
+        links.append(link)
+    top.Placement = P(V(0, 0, 50), R())
+    machine = golden_machine(doc)
+    x, y = factory.axis_of(machine, "X"), factory.axis_of(machine, "Y")
+    x.Parts, x.ReferenceSource = [(top, "LinkX.")], (top, ["LinkX.Block."])
+    y.Parts, y.ReferenceSource = [(top, "LinkY.")], (top, ["LinkY.Block."])
+    x.ReferenceAt = y.ReferenceAt = "Placement"
+    y.DirectionAlong = "Local X"  # its link is turned by 90 degrees
+    doc.recompute()
+    assert machine.Problem == ""
+    assert close(x.ReferencePoint, (101, 2, 53))
+    assert close(y.ReferencePoint, (-2, 201, 53))  # turned by 90 degrees
+    jog.jog(machine, {"X": 10, "Y": 20})
+    doc.recompute()
+    assert close(links[0].Placement.Base, (90, -20, 0)) and close(links[1].Placement.Base, (0, 180, 0))
+    assert close(body.Placement.Base, (1, 2, 3))  # the shared original stays
+    assert close(x.ReferencePoint, (101, 2, 53))
+
+
+def test_a_part_of_another_document_counts_where_its_link_stands(doc, tmp_path):
+    other = App.newDocument("Library")
+    try:
+        part = other.addObject("App::Part", "Saddle")
+        block(other, "Casting", (7, 0, 0), parent=part)
+        other.recompute()
+        other.saveAs(str(tmp_path / "library.FCStd"))
+        doc.saveAs(str(tmp_path / "machine.FCStd"))
+        link = doc.addObject("App::Link", "SaddleLink")
+        link.LinkedObject = part
+        link.Placement = P(V(0, 300, 0), R(V(0, 0, 1), 90))
+        machine = golden_machine(doc)
+        y = factory.axis_of(machine, "Y")
+        y.Parts, y.ReferenceSource = [(link, "")], (link, ["Casting."])
+        y.ReferenceAt, y.DirectionAlong = "Placement", "Local X"
+        doc.recompute()
+        assert machine.Problem == ""
+        assert close(y.ReferencePoint, (0, 307, 0))
+        part.getObject("Casting").Placement.Base = V(8, 0, 0)
+        other.recompute()
+        doc.recompute()
+        assert close(y.ReferencePoint, (0, 308, 0))
+    finally:
+        App.closeDocument(other.Name)
+
+
+def test_directions_from_edges_faces_datums_and_local_axes(doc):
+    machine = golden_machine(doc)
+    x = factory.axis_of(machine, "X")
+    rail = doc.addObject("Part::Cylinder", "Rail")
+    rail.Placement = P(V(0, 0, 0), R(V(0, 1, 0), 90))
+    line = doc.addObject("PartDesign::Line", "DatumLine")
+    line.Placement = P(V(), R(V(0, 1, 0), 90))
+    slab = block(doc, "Slab")
+    doc.recompute()
+    for source in ((rail, ["Face1"]), (rail, ["Edge2"]), (line, [""]), (slab, ["Face2"])):
+        x.DirectionSource = source
+        doc.recompute()
+        assert machine.Problem == "", source
+        assert abs(x.Direction.x) == pytest.approx(1), (source, x.Direction)
+    x.DirectionSource, x.DirectionAlong = (rail, [""]), "Local Z"
+    doc.recompute()
+    assert close(x.Direction, (1, 0, 0)) and x.DirectionFrom == "local Z of Rail"
+    x.Reverse = True
+    doc.recompute()
+    assert close(x.Direction, (-1, 0, 0))
+
+
+def test_the_default_direction_is_the_local_axis_of_the_same_name_and_the_reference_the_centre_of_mass(doc):
+    machine = golden_machine(doc)
+    y = factory.axis_of(machine, "Y")
+    y.ReferenceSource = None
+    doc.recompute()
+    assert close(y.Direction, (0, 1, 0)) and y.DirectionFrom == "local Y of CarriageY"
+    assert close(y.ReferencePoint, V(*REFERENCES["Y"]) + V(10, 10, 10))
+    assert y.ReferenceFrom == "centre of mass of CarriageY"
+
+
+def test_a_skew_of_less_than_five_degrees_is_reported(doc):
+    machine = golden_machine(doc)
+    doc.getObject("CarriageY").Placement.Rotation = R(V(0, 0, 1), 2)
+    doc.recompute()
+    assert machine.Problem == "" and machine.SkewXY == pytest.approx(2)
+
+
+# -- refusals --------------------------------------------------------------------------------------------------------
+def _skewed(doc, machine):
+    doc.getObject("CarriageY").Placement.Rotation = R(V(0, 0, 1), 6)
+
+
+def _parallel(doc, machine):
+    factory.axis_of(machine, "Y").DirectionAlong = "Local X"
+
+
+def _twice(doc, machine):
+    factory.axis_of(machine, "Y").Parts = [(doc.getObject("CarriageX"), "")]
+
+
+def _no_tool_point(doc, machine):
+    machine.ToolPoint = None
+
+
+def _not_in_a_chain(doc, machine):
+    machine.ToolChain = []
+
+
+def _no_carriage(doc, machine):
+    factory.axis_of(machine, "Z").Parts = []
+
+
+def _no_axis(doc, machine):
+    doc.removeObject(factory.axis_of(machine, "Z").Name)
+
+
+def _wrong_container(doc, machine):
+    part = doc.addObject("App::Part", "Column")
+    part.addObject(doc.getObject("CarriageZ"))
+    factory.axis_of(machine, "X").Parts = [(part, "")]
+    factory.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
+
+
+def _no_travel(doc, machine):
+    x = factory.axis_of(machine, "X")
+    x.TravelLower = x.TravelUpper = 5
+
+
+def _part_deleted(doc, machine):
+    part = doc.addObject("App::Part", "Holder")
+    part.addObject(doc.getObject("CarriageZ"))
+    factory.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
+    part.removeObject(doc.getObject("CarriageZ"))
+    doc.removeObject("CarriageZ")
+
+
+@pytest.mark.parametrize(
+    ("spoil", "words"),
+    [
+        (_skewed, ("X", "Y", "more than 5", "CarriageX", "CarriageY", "Correct one direction")),
+        (_parallel, ("X", "Y", "parallel", "CarriageY")),
+        (_twice, ("CarriageX", "Axis X", "Axis Y", "take it out")),
+        (_no_tool_point, ("tool point is missing", "Choose")),
+        (_not_in_a_chain, ("chain does not connect", "axis Z", "ToolChain")),
+        (_no_carriage, ("chain does not connect", "Axis Z", "Choose the parts")),
+        (_no_axis, ("chain does not connect", "axis Z", "Add axis Z")),
+        (_wrong_container, ("CarriageZ", "Axis Z", "Axis X", "does not carry it")),
+        (_no_travel, ("Axis X", "no length")),
+        (_part_deleted, ("Holder", "CarriageZ", "Choose the part again")),
+    ],
+)
+def test_what_is_no_machine_is_refused_by_name(doc, spoil, words):
+    machine = golden_machine(doc)
+    spoil(doc, machine)
+    doc.recompute()
+    with pytest.raises(Refused) as refusal:
+        extract.core_machine(machine)
+    for word in words:
+        assert word in refusal.value.message
+    assert machine.Problem == refusal.value.message
+
+
+def test_a_document_without_a_machine_is_refused(doc):
+    with pytest.raises(Refused, match="holds no machine"):
+        factory.machine_of(doc)
+
+
+def test_indices_of_the_document_are_those_of_the_core(doc):
+    machine = golden_machine(doc, "FXYZ", references=dict.fromkeys("XYZ", (0, 0, 0)), tool=(0, 0, -150))
+    machine.Aggregate, machine.At = "at", V(200, 150, -100)
+    for obj in (doc.getObject(f"Ref{n}") for n in "XYZ"):
+        assert close(obj.Placement.Base, (0, 0, 0))
+    found = results.compute(machine)
+    table = dict(zip(found.Symbols, found.Total))
+    assert found.MeanSquare == pytest.approx(1.047500e-4, rel=1e-6)
+    assert found.Variance == pytest.approx(7.154850e-9, rel=1e-6)
+    for symbol, total in {"EAX": 0.1874, "EXY": 0.1801, "EZX": 0.0625, "EZT": 0.0009, "ECZ": 0}.items():
+        assert table[symbol] == pytest.approx(total, abs=5e-5)
+    back = results.load(machine, found)
+    assert isinstance(back, workspace.Sensitivity) and not found.Stale
+    np.testing.assert_array_equal(back.total, found.Total)
+
+
+def test_loose_points_ride_with_the_body_that_names_them(doc):
+    machine = golden_machine(doc)
+    assert point(doc, "Elsewhere", (1, 1, 1)) is not None
+    jog.jog(machine, {"Z": 120})
+    assert close(doc.getObject("Tip").Placement.Base, V(*TOOL) + V(0, 0, 120))
+    assert close(doc.getObject("Elsewhere").Placement.Base, (1, 1, 1))
