@@ -165,6 +165,7 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
     columns = _file(q, directions(q), logged, vary(total, rng, feeds))
     fresh = _file(fresh_q, directions(fresh_q), logged, vary(total, rng, feeds))
     tool, fresh_tool, run, runs = np.zeros((total, 3)), np.zeros((total, 3)), None, ()
+    offsets = np.zeros((1, 3))
     if extras and rng.random() < 0.12:
         offsets = np.round(
             np.array([[0, 0, 0], [rng.uniform(40, 80), 0, -rng.uniform(60, 120)], [0, rng.uniform(40, 80), -150]]), 1
@@ -185,10 +186,10 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
         for name in ("run", "tool_dx", "tool_dy", "tool_dz"):
             t.pop(name, None)
     scale = {k: travel[k.upper()] if k in "xyz" else (float(v.min()), float(v.max())) for k, v in table.items()}
-    measured = (q, table, scale, tool, run, runs)
-    ahead = (fresh_q, fresh_table, scale, fresh_tool, run, runs)
+    measured = (q, table, scale, tool, run, runs, offsets)
+    ahead = (fresh_q, fresh_table, scale, fresh_tool, run, runs, offsets)
 
-    off = complement(declared_columns(machine, *[measured[i] for i in (0, 3, 4, 5)]))
+    off = complement(declared_columns(machine, *[measured[i] for i in (0, 3, 4, 5, 6)]))
     effects, hidden = _choose(kind, level, rng, machine, measured, off, sigma)
     if effects is None:
         return None
@@ -223,6 +224,10 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
     for label in runs[1:]:
         jump = rng.normal(size=3) * 2e-3
         truth_here, fresh_truth = truth_here + np.outer(run == label, jump), fresh_truth + np.outer(run == label, jump)
+    for offset in offsets[1:]:  # no tool is as long as its table says
+        jump = rng.normal(size=3) * 1e-3
+        truth_here = truth_here + np.outer(np.all(tool == offset, axis=1), jump)
+        fresh_truth = fresh_truth + np.outer(np.all(fresh_tool == offset, axis=1), jump)
     reading = truth_here + sigma * rng.normal(size=(total, 3))
     if level >= 2:
         outlier = rng.random(total) < 0.015
@@ -288,8 +293,8 @@ def _expected(kind: str, hidden) -> list[str]:
 
 
 def _choose(kind, level, rng, machine, measured, off, sigma):
-    """Effects sized by what the declared model cannot imitate, and hidden columns; None where the plan sees too little."""
-    q, table, scale, tool, _, _ = measured
+    """Effects, sized by what the declared model cannot imitate, and columns to hide; None: the plan sees too little."""
+    q, table, scale, tool, *_ = measured
     if kind in ("none", "unlogged"):
         return [], []
     span = float(table["t"][-1])

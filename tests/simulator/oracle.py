@@ -16,8 +16,8 @@ DEGREE = 3
 RANK_TOLERANCE = 1e-9
 
 
-def declared_columns(machine: Machine, q, tool=0.0, run=None, runs=()) -> np.ndarray:
-    """(3N, p): 48 coefficients of the cubic errors, 3 squareness, 6 alignment, an offset per run after the first."""
+def declared_columns(machine: Machine, q, tool=0.0, run=None, runs=(), tools=()) -> np.ndarray:
+    """(3N, p): 48 coefficients of the cubic errors, 3 squareness, 6 alignment, an offset per further run and tool."""
     arms, columns = levers(machine, q, tool), []
     for axis in AXES:
         low, high = machine.travel[axis]
@@ -31,6 +31,8 @@ def declared_columns(machine: Machine, q, tool=0.0, run=None, runs=()) -> np.nda
     columns += [np.array(direction_of(f"E{motion}W", arms)) for motion in "XYZABC"]
     for label in runs[1:]:
         columns += [np.outer(run == label, unit).astype(float) for unit in np.eye(3)]
+    for offset in tools[1:]:
+        columns += [np.outer(np.all(tool == offset, axis=1), unit).astype(float) for unit in np.eye(3)]
     return np.stack(columns, axis=2).reshape(3 * len(q), -1)
 
 
@@ -56,10 +58,10 @@ def solve(columns: np.ndarray, values: np.ndarray) -> np.ndarray:
 def oracle_prediction(machine, effects, measured, reading, fresh, keep) -> np.ndarray:
     """(M, 3) mm predicted at the fresh places by the fit that knows the effects' forms.
 
-    measured, fresh : (q, table, scale, tool, run, runs).  reading : (N, 3) mm.  keep : (N,) without the outliers.
+    measured, fresh : (q, table, scale, tool, run, runs, tools).  reading : (N, 3) mm.  keep : (N,): no outlier.
     """
-    q, table, scale, tool, run, runs = measured
-    fixed = declared_columns(machine, q, tool, run, runs)
+    q, table, scale, tool, *labels = measured
+    fixed = declared_columns(machine, q, tool, *labels)
     rows = np.repeat(keep, 3)
     value = reading.ravel()[rows]
     free = [dict(e.free) for e in effects]
@@ -108,8 +110,8 @@ def oracle_prediction(machine, effects, measured, reading, fresh, keep) -> np.nd
         free = trial
     columns = np.hstack([fixed, *design(free)])
     best = solve(columns[rows], value)
-    q, table, scale, tool, run, runs = fresh
-    ahead = [declared_columns(machine, q, tool, run, runs)]
+    q, table, scale, tool, *labels = fresh
+    ahead = [declared_columns(machine, q, tool, *labels)]
     ahead += [effect_columns(machine, e, q, table, scale, tool, f) for e, f in zip(effects, free)]
     return (np.hstack(ahead) @ best).reshape(-1, 3)
 
@@ -121,8 +123,8 @@ def lookalikes(machine, effects, measured, sigma: float) -> list[dict]:
     column or product of two.  Expected chi-square lost by the candidate, after refitting, < .01 % of the effect's:
     equal; < 9: rival.
     """
-    q, table, scale, tool, run, runs = measured
-    fixed = declared_columns(machine, q, tool, run, runs)
+    q, table, scale, tool, *labels = measured
+    fixed = declared_columns(machine, q, tool, *labels)
     signals = [effect_columns(machine, e, q, table, scale, tool) @ e.coefficient for e in effects]
     arms = levers(machine, q, tool)
     ways = np.stack([direction_of(c, arms) for c in COMPONENTS], axis=2)
