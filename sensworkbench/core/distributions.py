@@ -20,6 +20,11 @@ UM, URAD = 1e-3, 1e-6  # in mm and rad
 DISTRIBUTIONS = ("uniform", "normal", "truncated_normal", "triangular", "u_shaped", "point")
 
 
+def _flat_normal_integral(a: float, k: int) -> float:
+    """Integral of u^k exp(-a u²) over 0 <= u <= 1, for a <= 1/2, by the series of the exponential."""
+    return sum((-a) ** n / (math.factorial(n) * (2 * n + k + 1)) for n in range(16))
+
+
 @dataclass(frozen=True)
 class Tolerance:
     """Limits of one error and how it is distributed between them (mm or rad).
@@ -72,8 +77,9 @@ class Tolerance:
             return middle, sigma**2, 0.0, 3 * sigma**4
         sigma = self.sigma or width / 4
         c = width / 2 / sigma  # cut at +-c standard deviations
-        if c < 0.05:  # cancels below; to c^4/... a nearly flat law cut this short is uniform to 1e-3 c^2
-            return middle, width**2 / 12, 0.0, width**4 / 80
+        if c < 1:  # nearly flat: the closed form cancels, the series of exp does not
+            mass, second, fourth = (_flat_normal_integral(c * c / 2, k) for k in (0, 2, 4))
+            return middle, (width / 2) ** 2 * second / mass, 0.0, (width / 2) ** 4 * fourth / mass
         density = math.exp(-c * c / 2) / math.sqrt(2 * math.pi)
         mass = math.erf(c / math.sqrt(2))
         second = 1 - 2 * c * density / mass
