@@ -8,15 +8,15 @@ cells is refused with its line, and a cell that is no number is found again by l
 from __future__ import annotations
 
 import csv
-import os
-import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
 from sensworkbench.core.refusal import Refused
 
+from .files import neutral, read_text
+
+LIMIT = 512 * 2**20  # bytes
 SEPARATORS = ("\t", ";", ",")
 
 
@@ -78,32 +78,11 @@ def is_number(text: str) -> bool:
     return "_" not in text
 
 
-def decode(data: bytes, source: str) -> str:
-    """UTF-8 text, with or without a byte order mark."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise Refused("the file is UTF-16", source, "Save it as UTF-8.")
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        raise Refused("the text is not UTF-8", f"{source}, line {line}", "Save the file as UTF-8.") from None
+def parse(text: str, source: str) -> Table:
+    """The table in `text`; refuses an empty file, ragged rows and cells that run over the end of a line."""
     if "\0" in text:
         line = text.count("\n", 0, text.index("\0")) + 1
         raise Refused("the file holds binary data", f"{source}, line {line}", "Export it as a text table.")
-    return text
-
-
-def read_text(path) -> str:
-    path = Path(path)
-    try:
-        data = path.read_bytes()
-    except OSError as error:
-        raise Refused(f"the file cannot be read ({error.strerror or error})", str(path), "Check the path.") from None
-    return decode(data, path.name)
-
-
-def parse(text: str, source: str) -> Table:
-    """The table in `text`; refuses an empty file, ragged rows and cells that run over the end of a line."""
     kept, numbers, comments = [], [], []
     for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), start=1):
         bare = line.strip()
@@ -157,31 +136,9 @@ def _split(kept, numbers, separator, source):
 
 
 def read(path) -> Table:
-    return parse(read_text(path), Path(path).name)
+    return parse(read_text(path, limit=LIMIT), str(path))
 
 
 def safe_cell(text: str) -> str:
-    """`text` as a cell: a text that a spreadsheet would take for a formula is neutralised by an apostrophe."""
-    if text.startswith(("=", "+", "-", "@", "\t")) and not is_number(text.replace(",", ".")):
-        return "'" + text
-    return text
-
-
-def write_atomically(path, text: str) -> None:
-    """Write UTF-8 `text` beside `path` first, then put it in place: a reader never sees half a file."""
-    path = Path(path)
-    temporary = None
-    try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.", suffix=".part")
-        with os.fdopen(handle, "w", encoding="utf-8", newline="") as stream:
-            stream.write(text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
-        os.replace(temporary, path)
-    except OSError as error:
-        if temporary is not None:
-            Path(temporary).unlink(missing_ok=True)
-        raise Refused(
-            f"the file cannot be written ({error.strerror or error})", str(path), "Choose another folder."
-        ) from None
+    """`text` as a cell: a text that a spreadsheet would take for a formula is neutralised, a number stays."""
+    return text if is_number(text.replace(",", ".")) else neutral(text)

@@ -7,11 +7,8 @@ and what cannot be understood is refused with file, line and column.  The gramma
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -21,21 +18,15 @@ from sensworkbench.core.refusal import Refused
 from . import column_names, csv_table
 from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
 from .csv_table import Table
+from .predicted_csv import save_predicted
+from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
+
+__all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_predicted", "approach_directions"]
 
 STILL_MM = 1e-3  # positions that differ by less are the same place when a direction of approach is derived
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
 FEW_ROWS = 12
 MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
-
-ANSWERS = {
-    "sign": ("error", "compensation"),
-    "frame": ("tool_relative_to_workpiece", "table"),
-    "positions": ("programmed", "table"),
-    "angles": ("active", "passive"),
-    "squareness": ("direction", "carried"),
-    "squareness_sign": ("right_handed", "larger_than_90"),
-}
-_ANSWER = re.compile(r"([A-Za-z_][A-Za-z_ ]*?)\s*[:=]\s*(.+)$")
 
 
 def load(path, mapping=None) -> Readings:
@@ -46,80 +37,6 @@ def load(path, mapping=None) -> Readings:
 def load_positions(path, mapping=None) -> Readings:
     """Places and conditions without readings (R = 0 rows); every row of the file is kept."""
     return _Reader(csv_table.read(path), mapping).positions()
-
-
-def load_mapping(path) -> dict:
-    """A mapping file: JSON, {"x_mm": "Pos X [mm]", "z_mm": 0, "ignore": ["Remark"], "header": {"sign": "error"}}."""
-    name = Path(path).name
-    try:
-        found = json.loads(csv_table.read_text(path))
-    except json.JSONDecodeError as error:
-        raise Refused(error.msg, f"{name}, line {error.lineno}, column {error.colno}", "Correct the JSON.") from None
-    return check_mapping(found, name)
-
-
-def check_mapping(mapping, where: str = "mapping") -> dict:
-    """`mapping` if it is well formed: our name -> their name or a constant, "ignore" -> names, "header" -> answers."""
-    if not isinstance(mapping, Mapping):
-        raise Refused("a mapping is an object of names", where, 'Write {"x_mm": "their name", ...}.')
-    for key, value in mapping.items():
-        if key == "ignore":
-            good = isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
-        elif key == "header":
-            good = isinstance(value, Mapping) and all(isinstance(v, str) for v in value.values())
-        else:
-            column_names.parse(key, where)
-            good = isinstance(value, str) or (isinstance(value, (int, float)) and not isinstance(value, bool))
-        if not good:
-            raise Refused(f"{value!r} cannot stand for {key!r}", where, "Give a column's name or a number.")
-    return dict(mapping)
-
-
-def save_predicted(path, source, positions: Readings, error, extrapolated=None, mapping=None) -> None:
-    """The table `source` (a POSITIONS file) with ex_um, ey_um, ez_um behind, in the order of that file, atomically.
-
-    positions : what `load_positions(source)` gave.  error : (P, 3) mm, in the order of `positions` (actual minus
-    commanded).  extrapolated : (P,) truth, written as 0 or 1.  Separator and decimal sign stay those of the file.
-    """
-    table = csv_table.read(source)
-    error = np.asarray(error, dtype=float)
-    if error.shape != (table.rows, 3) or not np.array_equal(np.sort(positions.line), table.line):
-        raise Refused("the predictions do not belong to this file", table.source, "Predict again from this file.")
-    order = np.argsort(positions.line)
-    decimal_comma = table.separator != "," and any(
-        csv_table.is_number(a) and not csv_table.is_number(b)
-        for j in range(len(table.names))
-        for a, b in zip(table.text(j), table.cells[j], strict=True)
-    )
-    number = (lambda v: f"{v:.6f}".replace(".", ",")) if decimal_comma else (lambda v: f"{v:.6f}")
-    ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
-    results = {*ERROR, "extrapolated"}
-    names = [ours.get(name, name) for name in table.names]
-    kept = [j for j, n in enumerate(names) if n and column_names.parse(n).base not in results]
-    header = [csv_table.safe_cell(names[j]) for j in kept] + ["ex_um", "ey_um", "ez_um"]
-    columns = [[csv_table.safe_cell(c) for c in table.cells[j]] for j in kept]
-    for key, value in (mapping or {}).items():
-        if isinstance(value, (int, float)) and column_names.parse(key).base not in results:
-            header.insert(len(kept), key)
-            columns.append([f"{value:g}".replace(".", ",") if decimal_comma else f"{value:g}"] * table.rows)
-    columns += [[number(v) for v in error[order, i] * 1e3] for i in range(3)]
-    if extrapolated is not None:
-        header.append("extrapolated")
-        columns.append([str(int(v)) for v in np.asarray(extrapolated, dtype=bool)[order]])
-    lines = [f"# {text}" for _, text in table.comments if _states(text, "positions")]
-    lines += [
-        table.separator.join(_quoted(c, table.separator) for c in row) for row in (header, *zip(*columns, strict=True))
-    ]
-    csv_table.write_atomically(path, "\n".join(lines) + "\n")
-
-
-def _quoted(cell: str, separator: str) -> str:
-    return '"' + cell.replace('"', '""') + '"' if separator in cell or '"' in cell else cell
-
-
-def _states(text: str, key: str) -> bool:
-    match = _ANSWER.match(text)
-    return bool(match) and match.group(1).strip().lower() == key
 
 
 @dataclass
@@ -231,31 +148,8 @@ class _Reader:
 
     def _read_answers(self, header: Mapping) -> None:
         table = self.table
-        stated = [(f"{k}: {v}", 0) for k, v in header.items()]
-        stated += [(text, line) for line, text in table.comments]
-        for text, line in stated:
-            match = _ANSWER.match(text)
-            key = match.group(1).strip().lower().replace(" ", "_") if match else ""
-            if key not in ANSWERS:
-                continue
-            where = f"{table.source}, line {line}" if line else "mapping, header"
-            word, *axes = match.group(2).strip().lower().replace("-", "_").replace(",", " ").split()
-            if word not in ANSWERS[key] or (axes and not (key == "positions" and set(axes) <= set("xyz"))):
-                raise Refused(
-                    f"{match.group(2)!r} is no answer to {key!r}", where, f"Write {' or '.join(ANSWERS[key])}."
-                )
-            if line > table.names_line:
-                raise Refused(f"{key!r} is stated behind the names", where, "Move it above the row of names.")
-            if key in self.answers and line:
-                if self.answers[key][0] != (word, *axes):
-                    raise Refused(f"{key!r} is answered twice, differently", where, "Keep one answer.")
-                continue
-            self.answers[key] = ((word, *axes), line)
-        for key, what in (
-            ("angles", "readings hold displacements only, so nothing is converted"),
-            ("squareness", "readings hold displacements only; the machine's own setting decides"),
-            ("squareness_sign", "readings hold displacements only, so nothing is converted"),
-        ):
+        self.answers = read_answers(table.comments, header, table.names_line, table.source)
+        for key, what in NOT_IN_READINGS.items():
             if self._answer(key)[0] != ANSWERS[key][0]:
                 self._note("info", "convention-noted", f"{key}: {self._answer(key)[0]}; {what}", self.answers[key][1])
 
