@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from . import sobol
-from .distributions import moments
+from .distributions import Tolerance, moments
 from .errors import BODIES, SQUARENESS, component
 from .machine import Machine
 from .refusal import Refused
@@ -134,8 +134,6 @@ def error_table(machine: Machine):
     laws = list(tolerances.values())
     for effect in machine.effects:
         if effect.enabled and "extent" in effect.parameters:
-            from .distributions import Tolerance
-
             low, high = effect.parameter("extent")
             scale = 1e-6 if component(effect.component).angular else 1e-3
             labels.append(effect.name)
@@ -159,6 +157,10 @@ def sensitivity(
     Refuses when nothing varies anywhere.
     """
     positions = quadrature(machine) if positions is None else positions
+    count, lower = len(positions.q), None
+    if estimate and positions.kind == "quadrature" and max(positions.counts) > 1:
+        lower = quadrature(machine, [max(1, c - 2) for c in positions.counts])
+    everything = count + (0 if lower is None else len(lower.q))
     labels, columns, owners, laws = error_table(machine)
     if objective.output == ORIENTATION and not any(
         component(c).angular and (component(c).kind != SQUARENESS or machine.squareness == "carried") for c in columns
@@ -172,7 +174,6 @@ def sensitivity(
     of_components = ("component_first", "component_total", "component_total_max", "component_total_vw")
     sums = {k: np.zeros(n) for k in of_errors} | {k: np.zeros(g) for k in of_components}
     mean_square = variance = 0.0
-    count = len(positions.q)
     for start in range(0, count, CHUNK):
         block = slice(start, start + CHUNK)
         matrix = omega(machine, columns, positions.q[block], output=objective.output)
@@ -195,7 +196,7 @@ def sensitivity(
         np.maximum(sums["component_total_max"], many.total.max(axis=0), out=sums["component_total_max"])
         mean_square += float(w @ one.mean)
         variance += float(wv.sum())
-        if progress is not None and not progress(min(1.0, (start + CHUNK) / count)):
+        if progress is not None and not progress(min(count, start + CHUNK) / everything):
             raise Cancelled("cancelled")
     if variance <= 0:
         raise Refused(
@@ -215,9 +216,9 @@ def sensitivity(
         objective=objective,
         **sums,
     )
-    if estimate and positions.kind == "quadrature" and max(positions.counts) > 1:
-        lower = quadrature(machine, [max(1, c - 2) for c in positions.counts])
-        other = sensitivity(machine, lower, objective, estimate=False)
+    if lower is not None:
+        rest = None if progress is None else lambda part: progress((count + part * len(lower.q)) / everything)
+        other = sensitivity(machine, lower, objective, rest, estimate=False)
         result = replace(result, estimated_error=float(np.abs(other.total - result.total).max()))
     return result
 

@@ -163,7 +163,7 @@ def test_defaults_are_the_24_errors_of_the_paper_and_what_is_given_besides():
     assert table["EXX"] == given_["EXX"] and table["EAX"] == paper_tolerance("EAX")
 
 
-# -- refusals -------------------------------------------------------------------------------------------------------
+# -- refusals --------------------------------------------------------------
 @pytest.mark.parametrize(
     "arguments, words",
     [

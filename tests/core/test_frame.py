@@ -58,9 +58,7 @@ def test_omega_itself_does_not_see_where_the_machine_stands(seed, code):
     m = random_machine(rng, code, "direction")
     elsewhere = turned(m, Rotation.random(random_state=seed % 2**31).as_matrix(), rng.uniform(-5000, 5000, 3))
     q = rng.uniform(-300, 300, (4, 3))
-    assert_allclose(
-        synthesis.omega(elsewhere, PAPER_SYMBOLS, q), synthesis.omega(m, PAPER_SYMBOLS, q), atol=1e-8
-    )
+    assert_allclose(synthesis.omega(elsewhere, PAPER_SYMBOLS, q), synthesis.omega(m, PAPER_SYMBOLS, q), atol=1e-8)
 
 
 def reversed_axis(m: Machine, k: str) -> Machine:
@@ -102,7 +100,7 @@ def test_frame_is_right_handed_and_orthonormal_with_x_along_the_x_axis(seed):
     assert frame[:, 1] @ np.array(m.axes["Y"].direction) > 0.99
 
 
-# -- skew -----------------------------------------------------------------------------------------------------------
+# -- skew --------------------------------------------------------------
 def skewed(pair: str, angle_deg: float) -> dict:
     """Directions in which the second axis of `pair` leans by `angle_deg` towards the first."""
     a = math.radians(angle_deg)
@@ -148,7 +146,7 @@ def test_skew_is_taken_into_the_model():
     assert_allclose(found[:, 1], 100 * np.cross((0, 1, 0), u), atol=1e-12)
 
 
-# -- chains ---------------------------------------------------------------------------------------------------------
+# -- chains --------------------------------------------------------------
 @FEW
 @given(code=st.sampled_from(CHAINS))
 def test_structure_code_and_chains_say_the_same(code):

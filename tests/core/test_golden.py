@@ -57,7 +57,7 @@ def test_mean_of_the_asymmetric_problem_is_the_sum_of_squares_of_means_and_varia
     assert found.mean[0] == pytest.approx(float(exact), rel=1e-14)
 
 
-# -- golden points --------------------------------------------------------------------------------------------------
+# -- golden points --------------------------------------------------------------
 Q = (200.0, 150.0, -100.0)
 VALUES = {
     **{"EXX": 1, "EYX": 5, "EZX": -3, "EXY": 4, "EYY": -1, "EZY": 2, "EXZ": -2, "EYZ": 3, "EZZ": 0.5},
@@ -112,7 +112,7 @@ def test_squareness_goes_by_several_names(name):
     assert_allclose(synthesis.omega(m, [name], Q), synthesis.omega(m, ["C0Y"], Q))
 
 
-# -- the paper's tolerances at one point ----------------------------------------------------------------------------
+# -- the paper's tolerances at one point --------------------------------------------------------------
 BOTH = {  # S, S^T
     ("EAX",): (0.0144, 0.1874),
     ("EXY", "EBX", "EBY", "EXZ"): (0.0078, 0.1801),

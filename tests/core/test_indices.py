@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The linear-cost indices against the decomposition written out with the matrix A, and what must hold of any indices."""
+"""Indices at linear cost against the decomposition written out with A, and what must hold of any indices."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ def squared_length(omega, x):
     return ((x @ omega.T) ** 2).sum(axis=1)
 
 
-# -- SALib ----------------------------------------------------------------------------------------------------------
+# -- SALib --------------------------------------------------------------
 def salib_estimate(omega, lower, upper, samples, seed=1):
     """(S, its standard error, S^T, its standard error) by Saltelli's scheme on a Sobol sequence."""
     analyze = pytest.importorskip("SALib.analyze.sobol")
@@ -60,7 +60,7 @@ def test_salib_tells_the_printed_equation_18_from_the_total_index():
     assert np.abs((st - printed) / st_error).max() > 20
 
 
-# -- OpenTURNS ------------------------------------------------------------------------------------------------------
+# -- OpenTURNS --------------------------------------------------------------
 def openturns_law(ot, tolerance: Tolerance):
     low, high = tolerance.lower, tolerance.upper
     return {
