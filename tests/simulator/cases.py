@@ -61,6 +61,7 @@ class Case:
     fresh: dict
     fresh_truth: np.ndarray
     truth: dict
+    inside: tuple | None = None  # machine, effects and driver tables, for those who judge
 
 
 def _declared(machine: Machine, rng) -> tuple[dict, dict]:
@@ -278,7 +279,9 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
         "fresh_bound_um": bound,
         "expect": _expected(kind, hidden),
     }
-    return Case(machine.as_dict(), columns, 1e3 * reading, fresh, 1e3 * fresh_truth, truth)
+    return Case(
+        machine.as_dict(), columns, 1e3 * reading, fresh, 1e3 * fresh_truth, truth, (machine, effects, measured)
+    )
 
 
 def _expected(kind: str, hidden) -> list[str]:

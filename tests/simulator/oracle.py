@@ -50,6 +50,33 @@ def complement(columns: np.ndarray):
     return lambda v: v - u @ (u.T @ v)
 
 
+def way_of(machine: Machine, component: str, q, tool=0.0) -> np.ndarray:
+    """(N, 3) error per mm or rad of a component, squareness included."""
+    if component in SQUARENESS:
+        return linear_error(machine, q, {component: 1.0}, tool)
+    return np.array(direction_of(component, levers(machine, q, tool)))
+
+
+def left_over(machine, effects, said, measured, sigma: float) -> list[dict]:
+    """How much of each true effect remains when what was said is fitted with its own nonlinear parameters.
+
+    Per effect: `chi2` that remains, and its `share` of what the declared model leaves of the effect.
+    """
+    q, table, scale, tool, *labels = measured
+    fixed = [declared_columns(machine, q, tool, *labels)]
+    before = complement(fixed[0])
+    for e in said:
+        way = way_of(machine, e.component, q, tool)
+        fixed.append((way[:, :, None] * basis(e, table, scale)[:, None, :]).reshape(3 * len(q), -1))
+    after = complement(np.hstack(fixed))
+    out = []
+    for e in effects:
+        signal = effect_columns(machine, e, q, table, scale, tool) @ e.coefficient
+        left, whole = (float(np.sum(off(signal) ** 2)) for off in (after, before))
+        out.append({"chi2": left / sigma**2, "share": left / whole})
+    return out
+
+
 def solve(columns: np.ndarray, values: np.ndarray) -> np.ndarray:
     size = np.maximum(np.linalg.norm(columns, axis=0), 1e-300)
     return np.linalg.lstsq(columns / size, values, rcond=RANK_TOLERANCE)[0] / size
@@ -126,8 +153,8 @@ def lookalikes(machine, effects, measured, sigma: float) -> list[dict]:
     q, table, scale, tool, *labels = measured
     fixed = declared_columns(machine, q, tool, *labels)
     signals = [effect_columns(machine, e, q, table, scale, tool) @ e.coefficient for e in effects]
-    arms = levers(machine, q, tool)
-    ways = np.stack([direction_of(c, arms) for c in COMPONENTS], axis=2)
+    everything = COMPONENTS + SQUARENESS
+    ways = np.stack([way_of(machine, c, q, tool) for c in everything], axis=2)
     active = [n for n, v in table.items() if np.ptp(v) > 0]
     answers = []
     for i, effect in enumerate(effects):
@@ -152,9 +179,9 @@ def lookalikes(machine, effects, measured, sigma: float) -> list[dict]:
 
         shape = "linear" if effect.shape == "reversal" else effect.shape
         own = basis(effect, table, scale)
-        for j, name in enumerate(COMPONENTS):
+        for j, name in enumerate(everything):
             weigh((ways[:, :, [j]] * own[:, None, :]).reshape(3 * len(q), -1), name, effect.driver, effect.shape)
-        for names in itertools.chain(itertools.combinations(active, 1), itertools.combinations(active, 2)):
+        for names in itertools.chain(*(itertools.combinations_with_replacement(active, n) for n in (1, 2))):
             driver = "*".join(sorted(names))
             if (driver, "linear") == (effect.driver, shape):
                 continue
@@ -166,7 +193,7 @@ def lookalikes(machine, effects, measured, sigma: float) -> list[dict]:
             with np.errstate(divide="ignore", invalid="ignore"):
                 lost = np.where(norm > 1e-6, strength - (block.T @ target) ** 2 / norm**2, np.inf)
             for j in np.flatnonzero((lost < 1e-4 * strength) | (lost / sigma**2 < 9)):
-                entry = {"component": COMPONENTS[j], "driver": driver, "shape": "linear"}
+                entry = {"component": everything[j], "driver": driver, "shape": "linear"}
                 (equals if lost[j] < 1e-4 * strength else rivals).append(entry)
         answers.append({"equals": equals, "rivals": rivals})
     return answers
