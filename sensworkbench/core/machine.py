@@ -62,7 +62,8 @@ class Axis:
                 f"{where}, direction",
                 "Give a unit vector.",
             )
-        object.__setattr__(self, "direction", tuple(v / length for v in self.direction))
+        if abs(length - 1) > 1e-15:  # a unit vector stays as it is, to the last bit
+            object.__setattr__(self, "direction", tuple(v / length for v in self.direction))
         try:
             low, high = (float(v) for v in self.travel)
         except (TypeError, ValueError):
@@ -189,9 +190,7 @@ class Machine:
         z = np.cross(x, y)
         if z @ np.array(self.axes["Z"].direction) > 0:
             return np.column_stack([x, y, z])
-        candidates = [
-            np.column_stack([sx * x, sy * y, sx * sy * z]) for sx, sy in itertools.product((1, -1), repeat=2)
-        ]
+        candidates = [np.column_stack([sx * x, sy * y, sx * sy * z]) for sx, sy in itertools.product((1, -1), repeat=2)]
         return max(candidates, key=np.trace)
 
     def _in_frame(self, vector) -> np.ndarray:

@@ -7,7 +7,8 @@ take the colour of the page around them, so a chart reads on light and dark grou
 
 from __future__ import annotations
 
-import importlib.util
+import functools
+import importlib
 import io
 import itertools
 import re
@@ -42,9 +43,14 @@ _ABOVE = {"loc": "lower left", "bbox_to_anchor": (0, 1), "ncol": 4, "fontsize": 
 _numbers = itertools.count(1)  # makes the ids of every chart in a page its own
 
 
+@functools.cache
 def available() -> bool:
-    """Whether matplotlib is installed."""
-    return importlib.util.find_spec("matplotlib") is not None
+    """Whether matplotlib is installed and can be loaded (a copy built for another numpy cannot)."""
+    try:
+        importlib.import_module("matplotlib.backends.backend_svg")
+    except (ImportError, AttributeError, OSError, RuntimeError):
+        return False
+    return True
 
 
 class _Drawing:

@@ -123,10 +123,15 @@ def tolerances(place: Place) -> dict[str, Tolerance]:
     for symbol, entry in _symbols(place):
         entry.keys(("lower", "upper", "unit", "distribution", "sigma"), ("lower", "upper"))
         scale = _unit_scale(entry, symbol)
+        lower, upper = entry["lower"].number(), entry["upper"].number()
+        if upper < lower:
+            raise entry["upper"].refuse(
+                f"upper limit {upper:g} is below lower limit {lower:g}", "Exchange the two limits."
+            )
         with _refused_at(entry):
             found[symbol] = Tolerance(
-                entry["lower"].number() * scale,
-                entry["upper"].number() * scale,
+                lower * scale,
+                upper * scale,
                 entry["distribution"].string(DISTRIBUTIONS) if "distribution" in entry else "uniform",
                 entry["sigma"].number() * scale if "sigma" in entry else None,
             )

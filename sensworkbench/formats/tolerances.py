@@ -89,7 +89,7 @@ def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
         raise Refused("the file is empty", name, f"Its first row names the columns: {', '.join(COLUMNS)}.")
     first, header = lines[0]
     mark = max(",;\t", key=header.count)
-    names = [c.strip().lower() for c in _cells(header, mark)]
+    names = [c.strip().lower() for c in _cells(header, mark, f"{name}, line {first}")]
     for column in names:
         if column not in COLUMNS:
             raise Refused(f"unknown column {short(column)}", f"{name}, line {first}", f"Known: {', '.join(COLUMNS)}.")
@@ -103,7 +103,7 @@ def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
     for number, line in lines[1:]:
         where = f"{name}, line {number}"
         try:
-            symbol, tolerance = _row(names, _cells(line, mark), where)
+            symbol, tolerance = _row(names, _cells(line, mark, where), where)
             if symbol in found:
                 raise Refused(f"{symbol} stands twice", f"{where}, column symbol", "Keep one.")
             found[symbol] = tolerance
@@ -121,8 +121,11 @@ def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
     return found
 
 
-def _cells(line: str, mark: str) -> list[str]:
-    return next(csv.reader([line], delimiter=mark), [])
+def _cells(line: str, mark: str, where: str) -> list[str]:
+    try:
+        return next(csv.reader([line], delimiter=mark), [])
+    except csv.Error as error:
+        raise Refused(f"is no line of a table: {error}", where) from None
 
 
 def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance]:
@@ -138,6 +141,9 @@ def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance
             values[column] = parse_quantity(row[column], angular=c.angular, default_unit=unit, where=place)
         elif column != "sigma":
             raise Refused(f"{c.symbol} has no {column} limit", f"{where}, column {column}")
+    if values["upper"] < values["lower"]:
+        words = f"upper limit {row['upper']} is below lower limit {row['lower']}"
+        raise Refused(words, f"{where}, column upper", "Exchange the two limits.")
     try:
         law = row["distribution"] or "uniform"
         return c.symbol, Tolerance(values["lower"], values["upper"], law, values["sigma"])
