@@ -94,7 +94,7 @@ def turned(machine: Machine, rotation, shift) -> Machine:
     )
 
 
-# -- the exact product of matrices, from matrix exponentials --------------------------------------------------------------
+# -- the exact product of matrices, from matrix exponentials --
 def _shift(d):
     out = np.eye(4)
     out[:3, 3] = d
@@ -151,7 +151,7 @@ def matrix_product_error(m: Machine, values, q, tool_offset=(0.0, 0.0, 0.0)):
     return ((real - nominal) @ functional)[:3], np.array([skew[2, 1], skew[0, 2], skew[1, 0]])
 
 
-# -- the variance decomposition with every V_i and V_ij written out --------------------------------------------------------------
+# -- the variance decomposition with every V_i and V_ij written out --
 def decomposition(omega, law: Moments, weights=(1.0, 1.0, 1.0)):
     """(V_i (n,), V_ij (n, n) symmetric with a zero diagonal, E[Y]) at one position, from the explicit matrix A."""
     a = omega.T @ np.diag(weights) @ omega

@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The rules of the house, held by reading the source: who may import whom, and what no module does.
+
+Each rule is a function from a module's text to its findings; `test_every_rule_can_find_something` shows that it bites.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import subprocess
+import sys
+import textwrap
+import tokenize
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PACKAGE = ROOT / "sensworkbench"
+LAYERS = ("gui", "document", "formats", "closedloop", "core")  # each may import itself and those to its right
+FREECAD = {
+    "FreeCAD",
+    "FreeCADGui",
+    "Part",
+    "Mesh",
+    "Points",
+    "Import",
+    "ImportGui",
+    "TechDraw",
+    "Spreadsheet",
+    "Sketcher",
+}
+WINDOW = {"FreeCADGui", "ImportGui", "PySide", "pivy"}
+OUTSIDE = {"numpy", "matplotlib", "scipy", "PySide", "pivy"} | FREECAD
+OPTIONAL = {"matplotlib", "scipy"}  # come with FreeCAD, may be missing under plain Python
+FORBIDDEN = {
+    "core": FREECAD | WINDOW | OPTIONAL,
+    "closedloop": FREECAD | WINDOW | OPTIONAL,
+    "formats": FREECAD | WINDOW,
+    "document": WINDOW,
+    "gui": set(),
+}
+MAX_LINES = 450
+
+MODULES = sorted(PACKAGE.rglob("*.py"))
+STARTERS = [p for p in (ROOT / "Init.py", ROOT / "InitGui.py") if p.exists()]  # exec'd by FreeCAD
+SOURCES = sorted(
+    p
+    for folder in ("sensworkbench", "tests", "benchmarks", "docs", "resources", "freecad")
+    for p in (ROOT / folder).rglob("*.py")
+) + sorted(ROOT.glob("*.py"))
+
+
+def name(path: Path) -> str:
+    return str(path.relative_to(ROOT))
+
+
+def layer_of(path: Path) -> str | None:
+    parts = path.relative_to(PACKAGE).parts
+    return parts[0] if len(parts) > 1 else None
+
+
+# -- what is imported -----------------------------------------------------------------------------------------------
+def imported(text: str, package: str):
+    """Yield (absolute dotted name, line, guarded) of every import, also those inside functions.
+
+    guarded : inside a function, a try, or `if TYPE_CHECKING`.  `from . import x` yields the package of x and x.
+    """
+
+    def visit(node, guarded):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield alias.name, node.lineno, guarded
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                outer = package.split(".")[: len(package.split(".")) - node.level + 1]
+                base = ".".join(outer + ([base] if base else []))
+            for alias in node.names:
+                yield f"{base}.{alias.name}", node.lineno, guarded
+        elif isinstance(node, ast.Call) and ast.unparse(node.func).endswith(("import_module", "__import__")):
+            if node.args and isinstance(node.args[0], ast.Constant):
+                yield str(node.args[0].value), node.lineno, guarded
+        inner = guarded or isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.Lambda, ast.Try))
+        inner = inner or (isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test))
+        for child in ast.iter_child_nodes(node):
+            yield from visit(child, inner)
+
+    yield from visit(ast.parse(text), False)
+
+
+def package_of(path: Path) -> str:
+    return ".".join(path.relative_to(ROOT).parent.parts)
+
+
+def upward_imports(text: str, package: str):
+    """Imports of a layer to the left: formats that import the document, and the like."""
+    layer = package.split(".")[1] if "." in package else None
+    for target, line, _ in imported(text, package):
+        parts = target.split(".")
+        if parts[0] == "sensworkbench" and layer in LAYERS and len(parts) > 1:
+            if parts[1] in ("cli", "__main__"):
+                yield line, f"{layer} imports the command line"
+            elif parts[1] in LAYERS and LAYERS.index(parts[1]) < LAYERS.index(layer):
+                yield line, f"{layer} imports {parts[1]}"
+
+
+def forbidden_imports(text: str, package: str):
+    layer = package.split(".")[1] if "." in package else None
+    for target, line, _ in imported(text, package):
+        if target.split(".")[0] in FORBIDDEN.get(layer, set()):
+            yield line, f"{layer} imports {target}"
+
+
+def unknown_imports(text: str, package: str):
+    """What a user of FreeCAD does not have: anything but the standard library, numpy and FreeCAD's own."""
+    for target, line, guarded in imported(text, package):
+        top = target.split(".")[0]
+        if top in OPTIONAL and not guarded:
+            yield line, f"{top} is imported where it may be missing"
+        if top != "sensworkbench" and top not in OUTSIDE and top not in sys.stdlib_module_names:
+            yield line, f"{top} is not there at run time"
+
+
+def qt_of_one_version(text: str, package: str):
+    for target, line, _ in imported(text, package):
+        if re.match(r"(PySide[26]|PyQt\d|shiboken\d)\b", target):
+            yield line, f"{target} binds to one version of Qt; FreeCAD's PySide is both"
+
+
+# -- what is done ---------------------------------------------------------------------------------------------------
+def called(node) -> str:
+    return ast.unparse(node.func) if isinstance(node, ast.Call) else ""
+
+
+def prints(text: str, package: str):
+    for node in ast.walk(ast.parse(text)):
+        if called(node) == "print":
+            yield node.lineno, "print in the library"
+
+
+def bare_excepts(text: str, package: str):
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.ExceptHandler) and node.type is None:
+            yield node.lineno, "bare except"
+
+
+def dangerous_calls(text: str, package: str):
+    for node in ast.walk(ast.parse(text)):
+        if called(node) in ("eval", "exec", "pickle.load", "pickle.loads", "marshal.loads", "os.system"):
+            yield node.lineno, called(node)
+        if called(node) in ("np.load", "numpy.load") and any(
+            k.arg == "allow_pickle" and getattr(k.value, "value", True) for k in node.keywords
+        ):
+            yield node.lineno, "np.load with pickles"
+    for target, line, _ in imported(text, package):
+        if target.split(".")[0] in ("pickle", "shelve", "marshal"):
+            yield line, target
+
+
+def version_comparisons(text: str, package: str):
+    """Probe for the capability instead."""
+    pattern = re.compile(r"\b(__version__|version_info|hexversion)\b|\bVersion\(|\bqVersion\(|\bversion\.parse\(")
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Compare) and pattern.search(ast.unparse(node)):
+            yield node.lineno, ast.unparse(node)
+    for target, line, _ in imported(text, package):
+        if target.startswith(("packaging", "pkg_resources", "distutils")):
+            yield line, target
+
+
+def unfinished(text: str, package: str):
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT and re.search(r"\b(TODO|FIXME|HACK)\b", token.string):
+            yield token.start[0], token.string
+
+
+def undocumented(text: str, package: str):
+    tree = ast.parse(text)
+    if tree.body and not ast.get_docstring(tree):
+        yield 1, "no module docstring"
+
+
+def postponed_annotations(text: str, package: str):
+    defines = any(isinstance(n, (ast.FunctionDef, ast.AnnAssign)) for n in ast.walk(ast.parse(text)))
+    if defines and not any(t == "__future__.annotations" for t, _, _ in imported(text, package)):
+        yield 1, "from __future__ import annotations is missing"
+
+
+def too_long(text: str, package: str):
+    lines = text.count("\n")
+    if lines > MAX_LINES:
+        yield lines, f"{lines} lines: more than one reason to exist"
+
+
+def without_licence(text: str, package: str):
+    if text and text.split("\n", 1)[0] != "# SPDX-License-Identifier: LGPL-2.1-or-later":
+        yield 1, "the first line is not the licence"
+
+
+RULES = {  # rule: a text that breaks it
+    upward_imports: "from ..document import factory",
+    forbidden_imports: "def f():\n    import FreeCAD",
+    unknown_imports: "import pandas",
+    qt_of_one_version: "try:\n    from PySide6 import QtCore\nexcept ImportError:\n    pass",
+    prints: "print('x')",
+    bare_excepts: "try:\n    f()\nexcept:\n    pass",
+    dangerous_calls: "x = eval('1')",
+    version_comparisons: "if FreeCAD.Version()[0] > '0':\n    pass",
+    unfinished: "x = 1  # TODO",
+    undocumented: "x = 1",
+    postponed_annotations: "def f(x):\n    return x",
+    too_long: "x = 1\n" * (MAX_LINES + 1),
+    without_licence: '"""A module."""\n',
+}
+MORE_BREACHES = [
+    (upward_imports, "from sensworkbench.gui import colours"),
+    (upward_imports, "from .. import document"),
+    (upward_imports, "import sensworkbench.cli"),
+    (forbidden_imports, "import importlib\nimportlib.import_module('pivy.coin')"),
+    (forbidden_imports, "from PySide import QtGui"),
+    (unknown_imports, "import matplotlib.pyplot as plt"),
+    (dangerous_calls, "import pickle"),
+    (dangerous_calls, "np.load(f, allow_pickle=True)"),
+    (version_comparisons, "ok = np.__version__ >= '2'"),
+    (version_comparisons, "import sys\nok = sys.version_info > (3, 11)"),
+    (version_comparisons, "from packaging import version"),
+]
+HARMLESS = [
+    (upward_imports, "from ..core import sobol\nfrom . import files"),
+    (unknown_imports, "import json\nimport numpy as np\ndef f():\n    import matplotlib"),
+    (prints, "x.print()\n'print(1)'"),
+    (version_comparisons, "text = FreeCAD.Version()\nok = hasattr(x, 'y')"),
+    (dangerous_calls, "np.load(f, allow_pickle=False)"),
+    (postponed_annotations, "x = 1"),
+]
+
+
+@pytest.mark.parametrize("rule, text", [*RULES.items(), *MORE_BREACHES], ids=lambda v: getattr(v, "__name__", None))
+def test_every_rule_can_find_something(rule, text):
+    assert list(rule(text, "sensworkbench.formats"))
+
+
+@pytest.mark.parametrize("rule, text", HARMLESS, ids=lambda v: getattr(v, "__name__", None))
+def test_rules_let_the_harmless_pass(rule, text):
+    assert not list(rule(text, "sensworkbench.formats"))
+
+
+def findings(rules, paths):
+    return [
+        f"{name(path)}:{line}: {what}"
+        for path in paths
+        for rule in rules
+        for line, what in rule(path.read_text(encoding="utf-8"), package_of(path))
+    ]
+
+
+def test_there_is_a_house():
+    assert {layer_of(p) for p in MODULES} >= set(LAYERS)
+
+
+@pytest.mark.parametrize("rule", [r for r in RULES if r not in (prints, without_licence)], ids=lambda r: r.__name__)
+def test_modules_keep_the_rule(rule):
+    assert findings([rule], MODULES) == []
+
+
+def test_only_the_command_line_prints():
+    assert findings([prints], [p for p in MODULES if p.name not in ("cli.py", "__main__.py")]) == []
+
+
+def test_files_that_freecad_executes_keep_the_rules_too():
+    rules = (unknown_imports, qt_of_one_version, bare_excepts, dangerous_calls, version_comparisons, prints)
+    assert findings(rules, STARTERS) == []
+
+
+def test_every_source_file_names_its_licence():
+    assert SOURCES and findings([without_licence], SOURCES) == []
+
+
+def test_tests_and_benchmarks_have_no_bare_except():
+    assert findings([bare_excepts], [p for p in SOURCES if p not in MODULES]) == []
+
+
+# -- without FreeCAD ------------------------------------------------------------------------------------------------
+BLOCKER = """
+    import importlib, importlib.abc, pkgutil, sys
+    BLOCKED = {blocked!r}
+
+    class Block(importlib.abc.MetaPathFinder):
+        def find_spec(self, fullname, path=None, target=None):
+            if fullname.split(".")[0] in BLOCKED:
+                raise ImportError(fullname + " cannot be imported here")
+            return None
+
+    sys.meta_path.insert(0, Block())
+    try:
+        import FreeCAD
+    except ImportError:
+        pass
+    else:
+        sys.exit("FreeCAD was not blocked")
+    import sensworkbench
+    for layer in {layers!r}:
+        package = importlib.import_module("sensworkbench." + layer)
+        for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+            importlib.import_module(module.name)
+    loaded = sorted(m for m in sys.modules if m.split(".")[0] in BLOCKED)
+    assert not loaded, loaded
+"""
+RUN = """
+    import json
+    from sensworkbench.core import workspace
+    from sensworkbench.core.machine import Axis, Machine
+    axes = {{k: Axis(k, d, (0, 0, 0), (0, 100)) for k, d in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))}}
+    machine = Machine("m", ("Y", "X"), ("Z",), axes, (0, 0, -150))
+    result = workspace.sensitivity(machine)
+    print(json.dumps({{s: t for s, t in zip(result.symbols, result.total)}}))
+"""
+
+
+def run_blocked(code: str, blocked, layers) -> subprocess.CompletedProcess:
+    text = textwrap.dedent(code).format(blocked=blocked, layers=layers)
+    return subprocess.run(
+        [sys.executable, "-c", text], cwd=ROOT, capture_output=True, text=True, timeout=120, check=False
+    )
+
+
+def test_core_closedloop_and_formats_import_and_run_where_freecad_cannot_be_imported():
+    blocked = sorted(FREECAD | WINDOW | {"PySide2", "PySide6", "shiboken6"})
+    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, ("core", "closedloop", "formats"))
+    assert done.returncode == 0, done.stderr
+    assert '"EAX": 0.' in done.stdout
+
+
+def test_core_and_closedloop_need_numpy_alone():
+    blocked = sorted(FREECAD | WINDOW | OPTIONAL | {"PySide2", "PySide6"})
+    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, ("core", "closedloop"))
+    assert done.returncode == 0, done.stderr
+    assert '"EAX": 0.' in done.stdout
