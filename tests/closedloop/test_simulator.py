@@ -144,6 +144,14 @@ def test_a_written_case_reads_back(tmp_path):
     assert json.loads((tmp_path / "machine.json").read_text())["format"] == "sens-machine"
 
 
+def test_a_coarse_regular_grid_aliases_a_short_period_and_random_places_do_not():
+    free = [make_case(s, "cyclic", 1, plan="random", extras=False).truth["effects"][0] for s in range(4)]
+    bound = [make_case(s, "cyclic", 1, plan="grid", extras=False).truth["effects"][0] for s in range(4)]
+    assert not any(e["alias_periods"] for e in free)
+    assert all(e["alias_periods"] for e in bound if e["parameters"]["period"] < 30)
+    assert any(e["alias_periods"] for e in bound)
+
+
 def test_outliers_are_as_many_and_as_gross_as_said():
     case = make_case(4, "none", 2, sigma_um=0.4)
     calm = make_case(4, "none", 1, sigma_um=0.4)

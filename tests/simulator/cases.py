@@ -20,7 +20,7 @@ import numpy as np
 from .effects import Effect, driver_table, propose
 from .effects import basis as shape_basis
 from .kinematics import AXES, SQUARENESS, Machine, exact_error, from_dict
-from .oracle import complement, declared_columns, effect_columns, lookalikes, oracle_prediction
+from .oracle import aliases, complement, declared_columns, effect_columns, lookalikes, oracle_prediction
 from .plans import PLANS, conditions, directions, places, vary
 
 CODES = tuple("".join(p[:n]) + "F" + "".join(p[n:]) for n in range(4) for p in itertools.permutations("XYZ"))
@@ -243,7 +243,6 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
     known = [] if hidden or kind == "unlogged" else effects
     guess = oracle_prediction(machine, known, measured, reading, ahead, ~outlier)
     bound = float(1e3 * np.sqrt(np.mean(np.sum((guess - fresh_truth) ** 2, axis=1))))
-    spacing = {k: np.diff(np.unique(q[:, i])).max() for i, k in enumerate("xyz")} if plan == "grid" else {}
     entries = []
     alike = lookalikes(machine, effects, measured, sigma) if with_rivals and effects and not hidden else []
     for i, e in enumerate(effects):
@@ -251,8 +250,8 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
         entry["parameters"] = {**e.free, **e.fixed, "coefficient": e.coefficient.tolist()}
         if e.odd:
             entry["odd"] = e.odd
-        if e.shape == "periodic" and plan == "grid":
-            entry["aliased"] = bool(e.free["period"] < 2 * spacing[e.driver])
+        if e.shape == "periodic" and with_rivals:
+            entry["alias_periods"] = aliases(machine, e, measured, sigma)
         entries.append(entry | (alike[i] if alike else {}))
     only = [effect_columns(machine, e, q, table, scale, tool) @ e.coefficient for e in effects]
     rms = lambda v: float(1e3 * np.sqrt(np.mean(np.sum(np.reshape(v, (-1, 3)) ** 2, axis=1))))  # noqa: E731

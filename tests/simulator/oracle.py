@@ -143,6 +143,40 @@ def oracle_prediction(machine, effects, measured, reading, fresh, keep) -> np.nd
     return (np.hstack(ahead) @ best).reshape(-1, 3)
 
 
+def aliases(machine, effect, measured, sigma: float, shortest: float = 3.0) -> list[float]:
+    """Other periods, mm, that fit a periodic effect as well (expected chi-square lost < 9): the plan aliases it."""
+    q, table, scale, tool, *labels = measured
+    off = complement(declared_columns(machine, q, tool, *labels))
+    target = off(effect_columns(machine, effect, q, table, scale, tool) @ effect.coefficient)
+    v = table[effect.driver]
+    span, true = float(np.ptp(v)), 1 / effect.free["period"]
+    others = np.arange(1 / (2 * span), 1 / shortest, 1 / (6 * span))
+    # an alias stands at a combination of the sampling frequency and the true one: refine every near miss
+    way = way_of(machine, effect.component, q, tool)
+
+    def lost(frequency):
+        angle = 2 * np.pi * frequency * v
+        block = np.stack([np.sin(angle), np.cos(angle)], axis=1)
+        block = off((way[:, :, None] * block[:, None, :]).reshape(3 * len(q), -1))
+        gram = block.T @ block
+        if np.linalg.cond(gram) > 1e10:
+            block = block[:, [int(np.argmax(np.diag(gram)))]]
+            gram = block.T @ block
+        right = block.T @ target
+        return float(target @ target - right @ np.linalg.solve(gram, right)) / sigma**2
+
+    first = np.array([lost(f) for f in others])
+    found: list[float] = []
+    for i in np.argsort(first)[:40]:
+        near = others[i] + np.linspace(-1, 1, 13) / (6 * span)
+        best = min(near, key=lost)
+        best = min(best + np.linspace(-1, 1, 21) / (72 * span), key=lost)
+        apart = abs(best - true) * span > 0.7 and all(abs(best - 1 / p) * span > 0.7 for p in found)
+        if apart and best > 0 and lost(best) < 9:
+            found.append(1 / float(best))
+    return found
+
+
 def lookalikes(machine, effects, measured, sigma: float) -> list[dict]:
     """Per effect: what has the same trace (`equals`) and what the readings cannot tell from it (`rivals`).
 
