@@ -40,6 +40,8 @@ def run():
         except ImportError:
             sys.path.append(os.environ["SENS_TEST_PACKAGES"])
             import pytest
+        # FreeCAD 1.0 leaves an import finder of the old kind behind, which pytest's importlib mode stumbles over
+        sys.meta_path[:] = [finder for finder in sys.meta_path if hasattr(finder, "find_spec")]
         root = os.environ["SENS_TEST_ROOT"]
         os.chdir(root)
         if root not in sys.path:
