@@ -13,8 +13,7 @@ import os
 import sys
 import tempfile
 import traceback
-from collections.abc import Callable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from pathlib import Path
 
 from sensworkbench import __version__
@@ -58,7 +57,7 @@ def parser() -> argparse.ArgumentParser:
     verb.add_argument(
         "--weights", metavar="WX,WY,WZ", type=_triple, help="weights of the three components (default 1,1,1)"
     )
-    verb.add_argument("--output", choices=("position", "orientation"), default="position", help="what is judged")
+    verb.add_argument("--output", choices=("position", "orientation"), help="what is judged (default: position)")
     verb.add_argument(
         "--signed", action="store_true", help="the weighted sum of the components instead of their squares"
     )
@@ -171,73 +170,22 @@ def _in_document(arguments) -> int:
 def _sensitivity(arguments) -> int:
     if is_document(arguments.machine):
         return _in_document(arguments)
-    from sensworkbench.formats import machine_json
+    from sensworkbench.formats import machine_json, runs
 
     machine = machine_json.load(arguments.machine)
-    for path in sensitivity_outputs(machine, arguments, arguments.out):
+    picture = runs.read_picture(arguments.picture) if arguments.picture else None
+    machine, result = runs.compute(machine, sensitivity_options(arguments))
+    for path in runs.write(arguments.out, machine, result, arguments.angle_unit, picture):
         _say(str(path))
     return DONE
 
 
-def sensitivity_outputs(
-    machine, arguments, folder, extra: Callable[[Path], None] | None = None, picture=None
-) -> list[Path]:
-    """Compute and write sensitivity.json, sensitivity.csv and report.html to `folder`; returns their paths.
+def sensitivity_options(arguments):
+    """The options of a sensitivity run from the parsed command line."""
+    from sensworkbench.formats.runs import Options
 
-    extra : called with the temporary folder and the result before anything is moved, to add files of its own.
-    picture : PNG bytes of the machine for the report.
-    """
-    from sensworkbench.core import workspace
-    from sensworkbench.formats import report, sensitivity_out
-    from sensworkbench.formats.files import staged
-
-    machine = with_options(machine, arguments)
-    objective = workspace.Objective(arguments.output, arguments.weights or (1.0, 1.0, 1.0), arguments.signed)
-    if picture is None and arguments.picture:
-        picture = read_picture(arguments.picture)
-    if arguments.at is not None:
-        positions = workspace.at(machine, arguments.at)
-    elif arguments.grid is not None:
-        positions = workspace.grid(machine, arguments.grid)
-    else:
-        positions = workspace.quadrature(machine, arguments.quadrature or workspace.DEFAULT_ORDER)
-    result = workspace.sensitivity(machine, positions, objective)
-    data = sensitivity_out.to_dict(machine, result, arguments.angle_unit)
-    texts = {
-        "sensitivity.json": sensitivity_out.dumps(data),
-        "sensitivity.csv": sensitivity_out.csv_text(data),
-        "report.html": report.sensitivity_report(data, picture),
-    }
-    with staged(folder) as work:
-        for name, text in texts.items():
-            (work / name).write_text(text, encoding="utf-8")
-        if extra is not None:
-            extra(work, result)
-    return [Path(folder) / name for name in texts]
-
-
-def with_options(machine, arguments):
-    """The machine with the command line's squareness convention and tolerances."""
-    if arguments.squareness:
-        machine = replace(machine, squareness=arguments.squareness)
-    if arguments.tolerances:
-        from sensworkbench.formats import tolerances
-
-        machine = replace(machine, tolerances=dict(machine.tolerances) | tolerances.load(arguments.tolerances))
-    return machine
-
-
-def read_picture(path) -> bytes:
-    """The bytes of a PNG file; refuses anything else."""
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        from sensworkbench.formats.files import reason
-
-        raise Refused(f"cannot be read: {reason(error)}", str(path), "Check the name.") from None
-    if not data.startswith(b"\x89PNG\r\n\x1a\n"):
-        raise Refused("is not a PNG picture", str(path), "Save the picture as PNG.")
-    return data
+    names = ("at", "grid", "quadrature", "weights", "output", "signed", "squareness", "tolerances", "angle_unit")
+    return Options(**{n: getattr(arguments, n) for n in names})
 
 
 # -- demo ------------------------------------------------------------------------------------------------------------

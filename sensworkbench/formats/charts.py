@@ -247,15 +247,18 @@ def arrows(q, series: Mapping[str, np.ndarray], unit: str = "µm", limit: int = 
         grid = drawing.axes(len(vectors), 3, squeeze=False)
         for row, (name, v), colour in zip(grid, vectors.items(), SERIES):
             for ax, (i, j) in zip(row, ((0, 1), (0, 2), (1, 2))):
-                drawn = ax.quiver(
-                    q[:, i], q[:, j], v[:, i], v[:, j], color=colour, angles="xy", scale_units="xy", scale=1 / scale,
-                    width=0.006,
-                )  # fmt: skip
+                some = np.hypot(v[:, i], v[:, j]) > 0
+                ax.plot(q[:, i], q[:, j], linestyle="none", marker=".", markersize=1.5, color=INK, alpha=0.4)
+                if some.any():
+                    at, by = q[some][:, [i, j]].T, v[some][:, [i, j]].T
+                    drawn = ax.quiver(
+                        *at, *by, color=colour, angles="xy", scale_units="xy", scale=1 / scale, width=0.006
+                    )
+                    ax.quiverkey(drawn, 0.8, 1.04, key, f"{key:g} {unit}", labelpos="E", coordinates="axes")
                 ax.set_aspect("equal", adjustable="datalim")
-                ax.margins(0.18)
+                ax.margins(0.3)
                 ax.set_xlabel(f"{'XYZ'[i]}, mm")
                 ax.set_ylabel(f"{'XYZ'[j]}, mm")
                 _grid(ax, "both")
             row[0].set_title(name, loc="left", fontsize=10)
-            row[2].quiverkey(drawn, 0.8, 1.04, key, f"{key:g} {unit}", labelpos="E", coordinates="axes")
     return drawing.svg

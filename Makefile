@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# make demo    an example machine from FreeCAD parts to coloured document, pictures, report, tables: build/demo/
+# make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
+# Both install what is missing (Debian: apt, as root or with sudo; test-only packages go into .venv).
+
+SHELL := /bin/bash
+PYTHON ?= python3
+VENV := .venv
+VENV_PYTHON := $(VENV)/bin/python
+OUT ?= build/demo
+export OMP_NUM_THREADS ?= 2
+export OPENBLAS_NUM_THREADS ?= 2
+
+.PHONY: help system venv demo test test-style test-core test-document test-gui clean
+
+help:
+	@grep -E '^# make' Makefile | sed 's/^# //'
+
+system:
+	@tools/prepare.sh
+
+$(VENV)/ready: tests/requirements.txt
+	@tools/prepare.sh
+	$(PYTHON) -m venv $(VENV)
+	$(VENV_PYTHON) -m pip install --quiet --disable-pip-version-check -r tests/requirements.txt
+	@touch $@
+
+venv: $(VENV)/ready
+
+demo: system
+	@mkdir -p $(OUT)
+	$(PYTHON) -m sensworkbench demo --out $(OUT)
+
+test: test-style test-core test-document test-gui
+
+test-style: venv
+	$(VENV_PYTHON) -m ruff check .
+
+test-core: venv
+	$(VENV_PYTHON) -m pytest --ignore=tests/document --ignore=tests/gui tests
+
+test-document: system venv
+	$(VENV_PYTHON) tests/run_in_freecad.py tests/document
+
+test-gui: system venv
+	$(VENV_PYTHON) tests/run_in_freecad.py --gui tests/gui
+
+clean:
+	rm -rf build
