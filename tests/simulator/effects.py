@@ -72,7 +72,7 @@ ODD = {
     "bumps": (("axis", "other"), lambda u, v, a, b: np.exp(-8 * (u - a) ** 2) * np.sin(5 * v + b)),
     "saddle": (("temp_column", "axis"), lambda u, v, a, b: np.tanh(3 * (u - a)) * np.cos(4.5 * v + b)),
     "burst": (("t", "temp_ambient"), lambda u, v, a, b: np.exp(-10 * (u - a) ** 2) * np.sin(4 * v + b)),
-    "triple": (("axis", "other", "temp_column"), lambda u, v, w, a, b: np.tanh(2 * u * v + a) * np.tanh(3 * w + b)),
+    "triple": (("axis", "other", "temp_column"), lambda u, v, w, a, b: np.sin(4.2 * u * v + a) * np.tanh(3 * w + b)),
     "folded": (("axis", "other"), lambda u, v, a, b: np.abs(np.sin(3.3 * u + a)) * np.sign(np.sin(2.2 * v + b))),
     "loaded": (("load_table", "axis"), lambda u, v, a, b: np.sin(2.5 * u + a) * np.cos(4.8 * v + b)),
 }
