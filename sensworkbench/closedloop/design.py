@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Readings and a machine -> design matrices: the declared error functions, the set-up's nuisance, and lever arms.
+
+Every column is Omega's column of a component times what drives it, seen along each reading's direction of sensing; the
+declared functions are Legendre polynomials of their own axis position over the travel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.drivers import legendre
+from ..core.errors import AXES, COMPONENTS, DECLARED_SYMBOLS, SQUARENESS, component
+from ..core.machine import Machine
+from ..core.synthesis import omega
+from .readings import Readings
+
+ALL_SYMBOLS = tuple(COMPONENTS)
+ALIGNMENT = ("EXW", "EYW", "EZW", "EAW", "EBW", "ECW")
+
+
+@dataclass(frozen=True)
+class Term:
+    """One column of the declared design.  group : "declared", "alignment", "run" or "tool"; order : Legendre order."""
+
+    group: str
+    symbol: str
+    order: int = 0
+
+    @property
+    def label(self) -> str:
+        if self.group == "declared" and self.symbol not in ("C0Y", "B0Z", "A0Z"):
+            return f"{self.symbol} (order {self.order})"
+        if self.group == "run":
+            return f"offset of run {self.symbol}"
+        if self.group == "tool":
+            return f"offset of tool {self.symbol}"
+        return self.symbol
+
+
+def lever_columns(machine: Machine, readings: Readings, symbols=ALL_SYMBOLS) -> np.ndarray:
+    """(R, n) what a unit (1 mm or 1 rad) of each component shows in each reading, mm."""
+    return np.einsum(
+        "ran,ra->rn", omega(machine, symbols, readings.q, readings.tool_offset)[readings.point], readings.sense
+    )
+
+
+def declared_orders(machine: Machine, symbol: str) -> range:
+    """Legendre orders of a declared function: no constant (alignment, squareness), no slope of a straightness."""
+    c = component(symbol)
+    degree = machine.declared_degree(symbol)
+    if c.kind == SQUARENESS:
+        return range(0, 1) if degree else range(0)
+    straight = not c.angular and "XYZ"[c.axis] != c.body
+    return range(2 if straight else 1, degree + 1)
+
+
+def declared_terms(machine: Machine) -> list[Term]:
+    return [Term("declared", s, k) for s in DECLARED_SYMBOLS for k in declared_orders(machine, s)]
+
+
+def declared_columns(machine: Machine, terms, q) -> np.ndarray:
+    """(P, n) value of each declared term's function at positions q (squareness: 1)."""
+    out = np.ones((len(q), len(terms)))
+    cache = {}
+    for j, term in enumerate(terms):
+        if term.order:
+            k = component(term.symbol).body
+            if k not in cache:
+                degree = max(t.order for t in terms if t.group == "declared")
+                cache[k] = legendre(q[:, AXES.index(k)], degree, machine.axes[k].travel, start=0)
+            out[:, j] = cache[k][:, term.order]
+    return out
+
+
+def run_labels(readings: Readings) -> list[str]:
+    return [] if readings.run is None else sorted({str(r) for r in readings.run})
+
+
+def tool_labels(readings: Readings) -> list[tuple[float, float, float]]:
+    if readings.tool_offset is None or len(readings.tool_offset) == 0:
+        return []
+    return sorted({tuple(float(v) for v in t) for t in np.round(readings.tool_offset, 4)})
+
+
+@dataclass(frozen=True)
+class Design:
+    """terms (n), matrix (R, n): mm per mm or rad of each term; lever (R, 33): of every component (ALL_SYMBOLS)."""
+
+    terms: tuple[Term, ...]
+    matrix: np.ndarray
+    lever: np.ndarray
+
+
+def design(machine: Machine, readings: Readings) -> Design:
+    """The declared model of these readings: 21 errors, set-up alignment, an offset per further run and per tool."""
+    lever = lever_columns(machine, readings)
+    terms = declared_terms(machine)
+    at = {s: i for i, s in enumerate(ALL_SYMBOLS)}
+    values = declared_columns(machine, terms, readings.q)
+    blocks = [values[readings.point] * lever[:, [at[t.symbol] for t in terms]]]
+    for symbol in ALIGNMENT:
+        terms.append(Term("alignment", symbol))
+    blocks.append(lever[:, [at[s] for s in ALIGNMENT]])
+    runs = run_labels(readings)
+    for label in runs[1:]:
+        mask = np.array([str(r) == label for r in readings.run])[readings.point]
+        terms += [Term("run", label, i) for i in range(3)]
+        blocks.append(readings.sense * mask[:, None])
+    tools = tool_labels(readings)
+    if len(tools) > 1:
+        rounded = np.round(readings.tool_offset, 4)
+        for number, tool in enumerate(tools[1:], start=2):
+            mask = (rounded == np.array(tool)).all(axis=1)[readings.point]
+            terms += [Term("tool", str(number), i) for i in range(3)]
+            blocks.append(readings.sense * mask[:, None])
+    return Design(tuple(terms), np.concatenate(blocks, axis=1), lever)

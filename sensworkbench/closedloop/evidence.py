@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Evidence that respects order: whole blocks left out, half-samples of blocks, sign flips of whole blocks.
+
+Neighbouring readings share slow drifts and roughness, so nothing here ever splits them: a block is a run of readings
+taken one after another.  Held-out errors and half-sample fits come from Gram matrices summed per block.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .readings import Readings
+
+
+def blocks(readings: Readings, target: int = 30) -> np.ndarray:
+    """(P,) block number of each point: contiguous in order, never across a run, about `target` in all (8 at least)."""
+    count = readings.points
+    size = max(4, int(np.ceil(count / target)))
+    if readings.run is None:
+        label = np.zeros(count, dtype=int)
+    else:
+        runs = np.array([str(r) for r in readings.run])
+        label = np.cumsum(np.r_[0, (runs[1:] != runs[:-1]).astype(int)])
+    out = np.empty(count, dtype=int)
+    number = 0
+    for part in np.unique(label):
+        rows = np.flatnonzero(label == part)
+        pieces = max(1, round(len(rows) / size))
+        out[rows] = number + (np.arange(len(rows)) * pieces) // len(rows)
+        number += pieces
+    return out
+
+
+def flips(block_of_row: np.ndarray, count: int, seed: int) -> np.ndarray:
+    """(count, R) signs that flip whole blocks together."""
+    rng = np.random.default_rng(seed)
+    table = rng.integers(0, 2, size=(count, int(block_of_row.max()) + 1), dtype=np.int8) * 2 - 1
+    return table[:, block_of_row].astype(np.float32)
+
+
+def p_value(observed: float, null: np.ndarray) -> float:
+    """Share of null maxima at least as large, never below 1/(B + 1)."""
+    return float((1 + np.count_nonzero(null >= observed)) / (len(null) + 1))
+
+
+class BlockGrams:
+    """Gram matrices of weighted columns and readings per block.
+
+    x (R, n) weighted columns, y (R,) weighted readings, block (R,) numbers.  Any subset of columns can then be fitted
+    without some blocks and judged on them.
+    """
+
+    def __init__(self, x, y, block):
+        self.count = int(block.max()) + 1
+        n = x.shape[1]
+        self.gram = np.empty((self.count, n, n))
+        self.right = np.empty((self.count, n))
+        self.square = np.empty(self.count)
+        self.rows = np.bincount(block, minlength=self.count)
+        order = np.argsort(block, kind="stable")
+        edges = np.r_[0, np.cumsum(self.rows)]
+        for b in range(self.count):
+            part = order[edges[b] : edges[b + 1]]
+            xb, yb = x[part], y[part]
+            self.gram[b], self.right[b], self.square[b] = xb.T @ xb, xb.T @ yb, yb @ yb
+        self.scale = np.sqrt(np.maximum(np.einsum("bii->i", self.gram), 1e-300))
+
+    def _solve(self, gram, right, columns):
+        scale = self.scale[columns]
+        a = gram[np.ix_(columns, columns)] / np.outer(scale, scale)
+        values, vectors = np.linalg.eigh(a)
+        keep = values > 1e-9 * values[-1]
+        v = vectors[:, keep]
+        return (v @ ((v.T @ (right[columns] / scale)) / values[keep])) / scale
+
+    def held_out(self, columns) -> np.ndarray:
+        """(B,) sum of squared weighted errors of each block, predicted by a fit of all the others."""
+        columns = np.asarray(columns)
+        total_gram, total_right = self.gram.sum(axis=0), self.right.sum(axis=0)
+        out = np.empty(self.count)
+        for b in range(self.count):
+            beta = self._solve(total_gram - self.gram[b], total_right - self.right[b], columns)
+            g = self.gram[b][np.ix_(columns, columns)]
+            out[b] = self.square[b] - 2 * beta @ self.right[b][columns] + beta @ g @ beta
+        return out
+
+    def left_out_coefficients(self) -> list[np.ndarray]:
+        """Per block, the coefficients (n,) of a fit of all the others."""
+        columns = np.arange(self.gram.shape[1])
+        total_gram, total_right = self.gram.sum(axis=0), self.right.sum(axis=0)
+        return [
+            self._solve(total_gram - self.gram[b], total_right - self.right[b], columns) for b in range(self.count)
+        ]
+
+    def gains(self, base, candidates, use) -> np.ndarray:
+        """(S,) drop of chi-square on blocks `use` when each candidate's columns join `base`.
+
+        candidates : list of lists of column numbers.
+        """
+        base = np.asarray(base)
+        gram, right = self.gram[use].sum(axis=0), self.right[use].sum(axis=0)
+        scale = self.scale
+        a = gram[np.ix_(base, base)] / np.outer(scale[base], scale[base])
+        values, vectors = np.linalg.eigh(a)
+        keep = values > 1e-9 * values[-1]
+        root = (vectors[:, keep] / np.sqrt(values[keep])).T / scale[base]  # rows: whitening of the base
+        y = root @ right[base]
+        out = np.empty(len(candidates))
+        for i, columns in enumerate(candidates):
+            z = root @ gram[np.ix_(base, columns)]
+            g = gram[np.ix_(columns, columns)] - z.T @ z
+            r = right[columns] - z.T @ y
+            out[i] = float(r @ np.linalg.pinv(g, rcond=1e-8, hermitian=True) @ r)
+        return out
+
+
+def gain_statistics(without: np.ndarray, with_: np.ndarray) -> tuple[float, float]:
+    """(total gain, its standard error) over blocks of held-out squared errors."""
+    gain = without - with_
+    return float(gain.sum()), float(np.sqrt(len(gain)) * gain.std(ddof=1)) if len(gain) > 1 else float("inf")

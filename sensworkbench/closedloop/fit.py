@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Declared fit: weighted, robust least squares, with rank, condition and the null space in words.
+
+Gross outliers are found by a redescending step (Tukey's biweight, then a hard limit on the studentised residual) and
+listed; noise is estimated per direction of sensing where it is not stated.  A parameter that the readings do not
+determine gets a minimum-norm value for prediction and no uncertainty: it is not reported.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .design import Design
+from .readings import Readings
+
+RANK_TOLERANCE = 1e-8
+OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
+MAD = 1.482602218505602
+
+
+def robust_scale(r) -> float:
+    """Normal-consistent median absolute deviation about zero."""
+    return float(MAD * np.median(np.abs(r))) if len(r) else 0.0
+
+
+@dataclass(frozen=True)
+class Basis:
+    """Orthonormal basis of the weighted design: q (R, rank), with v (n, rank), s (rank,): columns = u s vᵀ."""
+
+    q: np.ndarray
+    s: np.ndarray
+    v: np.ndarray
+    scale: np.ndarray
+    condition: float
+
+    @property
+    def rank(self) -> int:
+        return self.q.shape[1]
+
+
+def basis(matrix, weight) -> Basis:
+    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows."""
+    x = matrix * weight[:, None]
+    scale = np.linalg.norm(x, axis=0)
+    scale[scale <= 1e-12 * max(scale.max(initial=0.0), 1e-300)] = np.inf  # a column that shows nowhere
+    x = x / scale
+    gram_r = np.linalg.qr(x, mode="r") if len(x) > 4 * x.shape[1] else None
+    if gram_r is None:
+        u, s, vt = np.linalg.svd(x, full_matrices=False)
+    else:  # tall: SVD of R, then recover U once
+        _, s, vt = np.linalg.svd(gram_r)
+        u = None
+    keep = s > RANK_TOLERANCE * s[0]
+    s, v = s[keep], vt[keep].T
+    u = x @ (v / s) if u is None else u[:, keep]
+    if gram_r is not None:  # one re-orthogonalisation makes it good to rounding
+        u, r = np.linalg.qr(u)
+        u = u * np.sign(np.diag(r))
+    return Basis(u, s, v, scale, float(s[0] / s[-1]))
+
+
+@dataclass
+class Fit:
+    """A weighted fit.
+
+    coefficients (n,), mm or rad; determined (n,) bool; covariance (n, n) of the determined part (minimum norm elsewhere).
+    residual (R,) mm; sigma (R,) mm: noise of each reading as used; weight (R,): 1/sigma, 0 for outliers; outliers (R,)
+    bool; noise: kind -> sigma mm; basis; null_space (n, k), reduced; dof.
+    """
+
+    design: Design
+    coefficients: np.ndarray
+    determined: np.ndarray
+    covariance: np.ndarray
+    residual: np.ndarray
+    sigma: np.ndarray
+    weight: np.ndarray
+    outliers: np.ndarray
+    noise: dict
+    basis: Basis
+    null_space: np.ndarray
+    extra: int  # columns appended for effects
+    dof: float
+
+    @property
+    def chi2(self) -> float:
+        return float(((self.residual * self.weight) ** 2).sum())
+
+
+def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.ndarray, dict]:
+    """Noise of each row: the stated one, scaled if it is wrong, else the robust spread of its kind of sensing."""
+    sigma = np.empty(len(residual))
+    table = {}
+    for kind in np.unique(readings.kind):
+        rows = readings.kind == kind
+        use = rows & good
+        spread = float(np.sqrt((residual[use] ** 2).mean())) if use.sum() > 3 else robust_scale(residual[rows])
+        spread = max(spread * loss, 1e-9)
+        if stated is not None and np.isfinite(stated[rows]).all():
+            ratio = float(np.sqrt(((residual[use] / stated[use]) ** 2).mean())) * loss if use.any() else 1.0
+            sigma[rows] = stated[rows] * max(ratio, 1e-6)
+        else:
+            sigma[rows] = spread
+        table[int(kind)] = float(np.sqrt((sigma[rows] ** 2).mean()))
+    return sigma, table
+
+
+def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start: Fit | None = None) -> Fit:
+    """Robust weighted least squares of the declared design and `effects` (R, m) appended columns.
+
+    start : an earlier fit whose noise starts the iteration.  Outliers are decided afresh each time, so a row that an
+    effect explains is admitted again.
+    """
+    matrix = design.matrix if effects is None else np.concatenate([design.matrix, effects], axis=1)
+    y = readings.value
+    stated = readings.u if np.isfinite(readings.u).any() else None
+    count, n = matrix.shape
+    weight = np.ones(count) if start is None else np.where(start.sigma > 0, 1 / start.sigma, 0.0)
+    if start is None and stated is not None and np.isfinite(stated).all():
+        weight = 1 / np.maximum(stated, 1e-9)
+    sigma = 1 / np.maximum(weight, 1e-12)
+    robust = np.ones(count)
+    good = np.ones(count, dtype=bool)
+    noise: dict = {}
+    for step in range(12):
+        b = basis(matrix, weight * np.sqrt(robust))
+        w = weight * np.sqrt(robust)
+        theta = (b.v / b.s) @ (b.q.T @ (y * w)) / b.scale
+        residual = y - matrix @ theta
+        # noise from the bulk; the median guards the first steps, the mean square of the kept rows the last
+        previous = good
+        leverage = (b.q**2).sum(axis=1)
+        if step < 3:
+            spread = np.empty(count)
+            for kind in np.unique(readings.kind):
+                rows = readings.kind == kind
+                ratio = residual[rows] if stated is None else residual[rows] / np.where(np.isfinite(stated[rows]), stated[rows], 1)
+                loss = np.sqrt(count / max(count - b.rank, 1))
+                scale = max(robust_scale(ratio) * loss, 1e-9)
+                spread[rows] = scale if stated is None else scale * np.where(np.isfinite(stated[rows]), stated[rows], 1)
+            sigma = spread
+            z = residual / sigma
+            robust = np.where(np.abs(z) < 6.0, (1 - (z / 6.0) ** 2) ** 2, 0.0)
+            good = robust > 0
+            weight = 1 / sigma
+            continue
+        kept = good.sum()
+        sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - b.rank, 1)), stated)
+        z = residual / (sigma * np.sqrt(np.clip(1 - leverage * good, 0.05, 1)))
+        good = np.abs(z) < OUTLIER_LIMIT
+        robust = good.astype(float)
+        weight = 1 / sigma
+        if step > 3 and np.array_equal(good, previous):
+            break
+    w = weight * good
+    b = basis(matrix, w)
+    theta = (b.v / b.s) @ (b.q.T @ (y * w)) / b.scale
+    residual = y - matrix @ theta
+    rows_of_v = b.v / b.s
+    scale = np.where(np.isfinite(b.scale), b.scale, 1.0)
+    covariance = (rows_of_v @ rows_of_v.T) / np.outer(scale, scale)
+    missing = 1 - (b.v**2).sum(axis=1)
+    determined = (missing < 1e-6) & np.isfinite(b.scale)
+    covariance[:, ~determined] = covariance[~determined, :] = 0.0
+    return Fit(
+        design=design,
+        coefficients=theta,
+        determined=determined,
+        covariance=covariance,
+        residual=residual,
+        sigma=sigma,
+        weight=w,
+        outliers=~good,
+        noise=noise,
+        basis=b,
+        null_space=_null_space(b, n),
+        extra=0 if effects is None else effects.shape[1],
+        dof=float(good.sum() - b.rank),
+    )
+
+
+def _null_space(b: Basis, n: int) -> np.ndarray:
+    """(n, k) basis of the combinations that no reading sees, reduced so that each names few parameters."""
+    if b.rank == n:
+        return np.zeros((n, 0))
+    full, _, _ = np.linalg.svd(b.v, full_matrices=True)
+    null = full[:, b.rank :].T  # (k, n)
+    row = 0
+    for column in range(n - 1, -1, -1):  # from the last parameter: alignment takes the blame last
+        if row == len(null):
+            break
+        pivot = row + int(np.argmax(np.abs(null[row:, column])))
+        if abs(null[pivot, column]) < 1e-6:
+            continue
+        null[[row, pivot]] = null[[pivot, row]]
+        null[row] /= null[row, column]
+        others = np.arange(len(null)) != row
+        null[others] -= np.outer(null[others, column], null[row])
+        row += 1
+    null[np.abs(null) < 1e-6] = 0.0
+    return null.T
+
+
+def null_space_words(fit: Fit, tools: int) -> list[str]:
+    """The null space in words, one sentence a combination."""
+    terms = fit.design.terms
+    sentences = []
+    for vector in fit.null_space[: len(terms)].T:
+        strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > 0.02 * np.abs(vector).max()]
+        names = list(dict.fromkeys(terms[i].label for i in strong))
+        if not names:
+            continue
+        advice = " with one tool: measure with a second tool length or offset" if tools < 2 else ""
+        if len(names) == 1:
+            sentences.append(f"{names[0]} does not show in these readings{advice}")
+        else:
+            listed = ", ".join(names[:-1]) + " and " + names[-1]
+            sentences.append(f"{listed} cannot be told apart{advice}")
+    return sorted(set(sentences))

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Smooth free forms: a component driven by any smooth function of one or two columns.
+
+They answer two questions: does the residual hold structure at all (and on which columns), and does a named shape leave
+something on the same component and columns?  A free form locates; it never names.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from .bank import useful_columns
+from .scan import Rows
+
+DEGREE = 4
+LINE_ORDER = 9  # a single column gets a finer form
+
+
+@dataclass(frozen=True)
+class FreeForm:
+    """A free form of one or two columns: `columns`, vectors (P, m), `orders` per vector, `domains` per column."""
+
+    columns: tuple[str, ...]
+    vectors: np.ndarray
+    orders: tuple[tuple[int, ...], ...]
+    domains: tuple[tuple[float, float, int], ...]
+
+
+def free_form(columns, names, degree: int | None = None, domains=None) -> FreeForm:
+    """Legendre products of the named columns up to a total degree; columns of few levels get fewer orders.
+
+    domains : (lowest, highest, levels) per column, from the readings it was made for (default: these); beyond them a
+    free form is held at its edge, since it knows nothing there.
+    """
+    names = tuple(names)
+    degree = degree or (LINE_ORDER if len(names) == 1 else DEGREE)
+    if domains is None:
+        domains = tuple(
+            (float(np.min(columns[n])), float(np.max(columns[n])), int(len(np.unique(columns[n])))) for n in names
+        )
+    tables, limits = [], []
+    for name, (low, high, levels) in zip(names, domains):
+        limits.append(min(degree, levels - 1))
+        x = np.clip((2 * np.asarray(columns[name], dtype=float) - low - high) / (high - low), -1, 1)
+        tables.append(np.polynomial.legendre.legvander(x, limits[-1]))
+    orders, vectors = [], []
+    for combination in itertools.product(*[range(n + 1) for n in limits]):
+        if 0 < sum(combination) <= degree:
+            orders.append(combination)
+            product = np.ones(len(tables[0]))
+            for table, order in zip(tables, combination):
+                product = product * table[:, order]
+            vectors.append(product)
+    return FreeForm(names, np.stack(vectors, axis=1), tuple(orders), tuple(tuple(d) for d in domains))
+
+
+def subspace_gain(rows: Rows, component: int, vectors) -> tuple[float, int]:
+    """(drop of chi-square, dimensions) when a component driven by `vectors` (P, m) joins the weighted model."""
+    counts = np.diff(np.r_[rows.start, len(rows.residual)])
+    x = rows.lever[:, [component]] * np.repeat(vectors, counts, axis=0)
+    total = np.sqrt((x**2).sum(axis=0))
+    good = total > 1e-12 * max(float(total.max(initial=0.0)), 1e-300)
+    if not good.any():
+        return 0.0, 0
+    x = x[:, good] / total[good]
+    x = x - rows.q @ (rows.q.T @ x)
+    values, vectors_ = np.linalg.eigh(x.T @ x)
+    keep = values > 1e-4
+    if not keep.any():
+        return 0.0, 0
+    basis = vectors_[:, keep] / np.sqrt(values[keep])
+    score = basis.T @ (x.T @ rows.residual)
+    return float(score @ score), int(keep.sum())
+
+
+def normal_score(gain: float, dims: int) -> float:
+    """Wilson-Hilferty: chi-square on `dims` degrees of freedom as standard deviations of a normal variate."""
+    if dims == 0:
+        return 0.0
+    spread = 2 / (9 * dims)
+    return ((gain / dims) ** (1 / 3) - (1 - spread)) / spread**0.5
+
+
+@dataclass(frozen=True)
+class Structure:
+    """What free forms of any two columns find: the best `component` index, `columns`, gain, dims and family-wise p."""
+
+    component: int
+    columns: tuple[str, ...]
+    gain: float
+    dims: int
+    p: float
+    excess: float  # gain beyond what noise alone gives: chi-square units
+    score: float = 0.0  # as standard deviations of a normal variate
+
+
+class FreeScan:
+    """Free forms of every pair of columns on every component, whitened once; then any residual is one product."""
+
+    def __init__(self, rows: Rows, readings, names=None, components=None):
+        self.rows = rows
+        self.names = names if names is not None else useful_columns(readings)
+        self.components = range(rows.lever.shape[1]) if components is None else components
+        self.sets = [(a,) for a in self.names] + list(itertools.combinations(self.names, 2))
+        self.forms = [free_form(readings.columns, s, DEGREE) for s in self.sets]
+        gathered = {c: rows.gather(rows.q * rows.lever[:, [c]]) for c in self.components}
+        squares = {c: rows.gather(rows.lever[:, [c]] ** 2)[:, 0] for c in self.components}
+        blocks, self.owner = [], []
+        for k, form in enumerate(self.forms):
+            v = form.vectors
+            for c in self.components:
+                inner = (v * squares[c][:, None]).T @ v
+                size = np.sqrt(np.maximum(np.diag(inner), 1e-300))
+                shown = inner - (v.T @ gathered[c]) @ (gathered[c].T @ v)
+                values, vectors = np.linalg.eigh(shown / np.outer(size, size))
+                keep = values > 1e-3
+                if keep.any() and size.max() > 1e-9:
+                    blocks.append(v @ ((vectors[:, keep] / np.sqrt(values[keep])) / size[:, None]))
+                    self.owner.append((k, c, int(keep.sum())))
+        self.basis = blocks
+
+    def _gains(self, h) -> np.ndarray:
+        """h : (n, P, C) gathered residuals of n cases.  Returns (n, entries) drops of chi-square."""
+        out = np.empty((len(h), len(self.owner)))
+        for i, ((_, c, _), block) in enumerate(zip(self.owner, self.basis)):
+            out[:, i] = ((h[:, :, c] @ block) ** 2).sum(axis=1)
+        return out
+
+    def _tails(self, gains) -> np.ndarray:
+        dims = np.array([d for _, _, d in self.owner], dtype=float)
+        # Wilson-Hilferty: the cube root of chi-square over its dimension is nearly normal
+        spread = 2 / (9 * dims)
+        return ((gains / dims) ** (1 / 3) - (1 - spread)) / np.sqrt(spread)
+
+    def best(self, signs) -> tuple[list[Structure], np.ndarray]:
+        """Entries by strength, strongest first (top 40), with family-wise p from sign flips; and the null maxima."""
+        rows = self.rows
+        if not self.owner:
+            return [], np.zeros(0)
+        observed = rows.gather(rows.lever * rows.residual[:, None])[None]
+        flipped = signs * rows.residual
+        flipped = flipped - (flipped @ rows.q) @ rows.q.T
+        maxima = []
+        for begin in range(0, len(signs), 25):
+            h = np.stack([rows.gather(rows.lever * r[:, None]) for r in flipped[begin : begin + 25]])
+            maxima.append(self._tails(self._gains(h)).max(axis=1))
+        null = np.concatenate(maxima)
+        gains = self._gains(observed)[0]
+        tails = self._tails(gains[None])[0]
+        found = []
+        for i in np.argsort(-tails)[:40]:
+            k, c, dims = self.owner[i]
+            p = float((1 + np.count_nonzero(null >= tails[i])) / (len(null) + 1))
+            excess = float(gains[i] - dims)
+            found.append(Structure(c, self.sets[k], float(gains[i]), dims, p, excess, float(tails[i])))
+        return found, null

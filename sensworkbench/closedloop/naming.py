@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""May a finding carry a name?  Only if a free form of the same component and columns gains nothing beyond it.
+
+Odd shapes attract several plausible pieces, slow columns stand in for each other and for time, and short-wave roughness
+looks periodic almost everywhere; each has its own test here.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .bank import DIRECTIONS, POSITIONS, Shape
+from .freeform import free_form, normal_score, subspace_gain
+from .scan import Rows, Scanner
+from .search import Candidate
+
+BEYOND_SCORE = 3.7  # one-sided p about 1e-4
+BEYOND_SIZE = 0.1  # rms per reading in units of its noise
+LINE_RATIO = 4.0  # a period must explain this much more than the next line left anywhere
+
+
+def _fourier(v, harmonics: int) -> np.ndarray:
+    span = float(np.ptp(v)) * 1.02
+    phase = 2 * np.pi * (v - v.min()) / span
+    k = np.arange(1, harmonics + 1)
+    return np.concatenate([np.sin(phase[:, None] * k), np.cos(phase[:, None] * k)], axis=1)
+
+
+def slow_columns(columns, names) -> list[str]:
+    """Columns that vary smoothly along the order of the readings, so that time could stand in for them."""
+    slow = []
+    for name in names:
+        v = np.asarray(columns[name], dtype=float)
+        if name in POSITIONS or name in DIRECTIONS or name == "t":
+            continue
+        step = np.diff(v)
+        if len(v) > 20 and float(np.mean(step**2)) < 0.05 * float(np.var(v)):
+            slow.append(name)
+    return slow
+
+
+def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarray]]:
+    """Free forms that must gain nothing beyond the candidate: (what it is a form of, vectors (P, m))."""
+    shape = candidate.shape
+    parts = tuple(dict.fromkeys(shape.driver.split("*")))
+    out = []
+    if shape.shape == "periodic":
+        v = columns[shape.driver]
+        harmonics = int(min(24, len(np.unique(v)) // 3, len(v) // 25))
+        if harmonics > 1:
+            out.append((f"waves along {shape.driver}", _fourier(v, harmonics)))
+        return out
+    if shape.shape == "lag":
+        parts = (*parts, "t")
+    degree = {1: 9, 2: 6}.get(len(parts), 4)
+    out.append((" and ".join(parts), free_form(columns, parts, degree).vectors))
+    slow = [p for p in parts if p in slow_columns(columns, names)]
+    if slow and "t" in names and shape.shape != "lag":
+        others = tuple(p for p in parts if p not in slow)
+        if not others:
+            out.append(("time", free_form(columns, ("t",), 12).vectors))
+        else:
+            # the other factors as they stand, times any smooth function of time
+            scale = np.ones(len(columns["t"]))
+            for name in shape.driver.split("*"):
+                if name in others:
+                    scale = scale * columns[name]
+            smooth = np.concatenate([np.ones((len(scale), 1)), free_form(columns, ("t",), 10).vectors], axis=1)
+            out.append((" and ".join((*others, "time")), scale[:, None] * smooth))
+    return out
+
+
+def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int) -> str:
+    """What a free form finds beyond the candidate ("" for nothing); rows: of the model that holds the candidate."""
+    for what, vectors in free_forms(candidate, columns, names):
+        gain, dims = subspace_gain(rows, candidate.index, vectors)
+        size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
+        if normal_score(gain, dims) > BEYOND_SCORE and size > BEYOND_SIZE:
+            return f"a free form of {what} on {candidate.symbol} explains more than this shape"
+    return ""
+
+
+def stands_out(rows: Rows, candidate: Candidate, scanner: Scanner) -> bool:
+    """Does a period explain much more than any other line that is left?  Roughness is many lines, a screw is one."""
+    gains = scanner.scores(rows.residual).gain
+    lines = np.flatnonzero(scanner.width == 2)
+    return not len(lines) or candidate.gain > LINE_RATIO * float(gains[lines].max())
+
+
+def smooth_shape(names, columns, degree: int) -> Shape:
+    """A free form as a shape that can be fitted, predicted and stored (never a name)."""
+    form = free_form(columns, names, degree)
+    return Shape("*".join(form.columns), "smooth", {"degree": degree, "domains": form.domains}, form.vectors.shape[1])

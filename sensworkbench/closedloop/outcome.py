@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a trace says: verdict, findings with their evidence, before and after, and the augmented machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from ..core.errors import SQUARENESS, component
+from ..core.machine import Machine
+from . import evidence
+from .design import ALIGNMENT, tool_labels
+from .fit import Fit
+from .readings import Readings
+
+
+@dataclass
+class Outcome:
+    """report : trace.json as a dict.  machine : augmented.  residuals : per-row arrays for pictures, in um.
+
+    covariance : (names, matrix) of the fitted declared parameters, um and urad.
+    """
+
+    report: dict
+    machine: Machine
+    readings: Readings
+    residuals: dict[str, np.ndarray]
+    covariance: tuple[list[str], np.ndarray]
+    log: list[str] = field(default_factory=list)
+
+    def to_dict(self) -> dict:
+        return self.report
+
+
+def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -> Machine:
+    """The machine with declared errors, alignment and offsets as fitted, and `effects` added."""
+    errors = np.sqrt(np.maximum(np.diag(fitted.covariance), 0.0))
+    entries: dict = {}
+    alignment: dict = {}
+    runs: dict[str, list[float]] = {}
+    tools: dict[str, list[float]] = {}
+    for i, term in enumerate(fitted.design.terms):
+        value = float(fitted.coefficients[i])
+        u = float(errors[i]) if fitted.determined[i] else None
+        if term.group in ("run", "tool"):
+            (runs if term.group == "run" else tools).setdefault(term.symbol, [0.0, 0.0, 0.0])[term.order] = value * 1e3
+            continue
+        c = component(term.symbol)
+        scale = 1e6 if c.angular else 1e3
+        value, u = value * scale, None if u is None else u * scale
+        if term.group == "alignment":
+            alignment[term.symbol] = {"value": value, "unit": c.unit, "u": u}
+        elif c.kind == SQUARENESS:
+            entries[term.symbol] = {"value": value, "unit": c.unit, "u": u}
+        else:
+            entry = entries.setdefault(
+                term.symbol,
+                {
+                    "basis": "legendre",
+                    "domain": list(machine.axes[c.body].travel),
+                    "coefficients": [0.0] * (machine.declared_degree(term.symbol) + 1),
+                    "unit": c.unit,
+                    "u": [0.0] * (machine.declared_degree(term.symbol) + 1),
+                },
+            )
+            entry["coefficients"][term.order] = value
+            entry["u"][term.order] = u
+    entries["alignment"] = {s: alignment[s] for s in ALIGNMENT if s in alignment}
+    if readings.run is not None:
+        first = sorted({str(r) for r in readings.run})[0]
+        entries["runs"] = {first: [0.0, 0.0, 0.0]} | runs
+    labels = tool_labels(readings)
+    if labels:
+        entries["x-tools"] = [
+            {"offset_mm": list(offset), "error_um": tools.get(str(i), [0.0, 0.0, 0.0])}
+            for i, offset in enumerate(labels, start=1)
+        ]
+    entries["x-ranges"] = {k: [float(v.min()), float(v.max())] for k, v in readings.columns.items()}
+    return replace(machine, fitted=entries, effects=tuple(machine.effects) + tuple(effects))
+
+
+def covariance_table(fitted: Fit) -> tuple[list[str], np.ndarray]:
+    """(labels, covariance) of the declared terms in um and urad (zero rows where not determined)."""
+    terms = fitted.design.terms
+    scale = np.array(
+        [1e3 if t.group in ("run", "tool") or not component(t.symbol).angular else 1e6 for t in terms], dtype=float
+    )
+    n = len(terms)
+    return [f"{t.group} {t.label}" for t in terms], fitted.covariance[:n, :n] * np.outer(scale, scale)
+
+
+def metrics(error_um: np.ndarray, readings: Readings, use=None) -> dict:
+    """rms, 95th percentile and largest 3-D error over points (um), and rms per component; error_um (R,)."""
+    rows = np.ones(len(error_um), dtype=bool) if use is None else use
+    square = np.bincount(readings.point[rows], weights=error_um[rows] ** 2, minlength=readings.points)
+    present = np.bincount(readings.point[rows], minlength=readings.points) > 0
+    size = np.sqrt(square[present])
+    if not len(size):
+        return {"rms_um": 0.0, "p95_um": 0.0, "max_um": 0.0}
+    out = {
+        "rms_um": float(np.sqrt((size**2).mean())),
+        "p95_um": float(np.percentile(size, 95)),
+        "max_um": float(size.max()),
+    }
+    for kind, name in enumerate(("x", "y", "z", "along")):
+        mine = rows & (readings.kind == kind)
+        if mine.any():
+            out[f"rms_{name}_um"] = float(np.sqrt((error_um[mine] ** 2).mean()))
+    return out
+
+
+def interval(error_um: np.ndarray, readings: Readings, block, use, seed: int) -> list[float]:
+    """95 % interval of the 3-D rms by drawing whole blocks again (500 times)."""
+    square = np.bincount(readings.point[use], weights=error_um[use] ** 2, minlength=readings.points)
+    present = np.bincount(readings.point[use], minlength=readings.points) > 0
+    sums = np.bincount(block[present], weights=square[present], minlength=block.max() + 1)
+    counts = np.bincount(block[present], minlength=block.max() + 1).astype(float)
+    draws = np.random.default_rng(seed).integers(0, len(sums), size=(500, len(sums)))
+    rms = np.sqrt(sums[draws].sum(axis=1) / np.maximum(counts[draws].sum(axis=1), 1))
+    return [float(v) for v in np.percentile(rms, [2.5, 97.5])]
+
+
+def held_out_rows(grams_columns, fitted: Fit, row_block: np.ndarray, y: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """(R,) residuals of each row predicted by a fit of all other blocks; x (R, n) unweighted columns."""
+    w = fitted.weight
+    grams = evidence.BlockGrams(x[:, grams_columns] * w[:, None], y * w, row_block)
+    out = np.empty(len(y))
+    for b, beta in enumerate(grams.left_out_coefficients()):
+        rows = row_block == b
+        out[rows] = y[rows] - x[np.ix_(rows, grams_columns)] @ beta
+    return out
+
+
+def replicates(readings: Readings, residual_um: np.ndarray, used) -> float | None:
+    """Pure error (um, one reading) from points whose place and conditions repeat exactly, else None."""
+    names = [n for n in readings.columns if n != "t"]
+    table = np.round(np.stack([readings.columns[n] for n in names], axis=1), 6)
+    _, group = np.unique(table, axis=0, return_inverse=True)
+    key = group.ravel()[readings.point] * 4 + readings.kind
+    rows = np.flatnonzero(used)
+    _, key = np.unique(key[rows], return_inverse=True)
+    count = np.bincount(key)
+    if (count > 1).sum() < 5:
+        return None
+    value = residual_um[rows]
+    mean = np.bincount(key, weights=value) / count
+    square = np.bincount(key, weights=(value - mean[key]) ** 2)
+    return float(np.sqrt(square[count > 1].sum() / (count[count > 1] - 1).sum()))

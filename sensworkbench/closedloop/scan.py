@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Score every component x driver x shape at once, each with the declared model re-estimated beside it.
+
+With the weighted declared model projected out (M = I - QQᵀ), a candidate column c lowers chi-square by (cᵀMr)²/(cᵀMc)
+exactly.  c is lever arm x driver, so cᵀMr for all candidates is one product of the driver bank with residuals gathered
+per point, and cᵀMc needs the driver bank against Q alone: no candidate is ever refitted on its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .bank import Shape, log_tail
+
+CHUNK = 512  # bank entries at a time
+MIN_VISIBLE = 0.02  # share of a candidate's square that the declared model cannot imitate
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Weighted rows grouped by point: lever (R, C) and residual (R,) times weight, start (P,) first row of each point."""
+
+    lever: np.ndarray
+    residual: np.ndarray
+    start: np.ndarray
+    q: np.ndarray  # (R, m) orthonormal basis of the weighted model
+    kept: dict = field(default_factory=dict, repr=False, compare=False)
+
+    def gather(self, x) -> np.ndarray:
+        return np.add.reduceat(x, self.start, axis=0)
+
+    def per_point(self, component: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """(basis (P, m), squares (P,), residual (P,)) of one component, summed over each point's rows; kept."""
+        if component not in self.kept:
+            lever = self.lever[:, [component]]
+            r = self.residual - self.q @ (self.q.T @ self.residual)
+            self.kept[component] = (
+                self.gather(self.q * lever),
+                self.gather(lever**2)[:, 0],
+                self.gather(lever[:, 0] * r),
+            )
+        return self.kept[component]
+
+
+@dataclass
+class Scores:
+    """Per bank entry and component: gain = drop of chi-square; visible = share not imitated; power = mean square shown.
+
+    gain, visible, power : (K, C).  tail : (K, C) -log10 of the single-candidate p.  shapes : the K entries.
+    """
+
+    shapes: list[Shape]
+    gain: np.ndarray
+    visible: np.ndarray
+    tail: np.ndarray
+
+
+class Scanner:
+    """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
+
+    def __init__(self, rows: Rows, shapes: list[Shape], columns, dtype=np.float64):
+        self.rows, self.shapes = rows, shapes
+        self.width = np.array([s.width for s in shapes])
+        vectors, owner = [], []
+        for k, shape in enumerate(shapes):
+            v = shape.vectors(columns)
+            vectors.append(v)
+            owner += [k] * v.shape[1]
+        v = np.concatenate(vectors, axis=1).T if vectors else np.zeros((0, len(rows.start)))
+        scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
+        self.v = np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0), dtype=dtype)
+        self.first = np.cumsum(np.r_[0, self.width[:-1]]) if len(shapes) else np.zeros(0, int)
+        self._denominators()
+
+    def _denominators(self):
+        rows = self.rows
+        squares = rows.gather(rows.lever**2)  # (P, C)
+        components = rows.lever.shape[1]
+        total = (self.v**2) @ squares
+        pairs = self.first[self.width == 2]
+        cross = np.zeros((len(pairs), components))
+        if len(pairs):
+            cross = (self.v[pairs] * self.v[pairs + 1]) @ squares
+        shown = total.copy()
+        for c in range(components):
+            a = rows.gather(rows.q * rows.lever[:, [c]])  # (P, m)
+            projected = self.v @ a
+            shown[:, c] -= (projected**2).sum(axis=1)
+            if len(pairs):
+                cross[:, c] -= (projected[pairs] * projected[pairs + 1]).sum(axis=1)
+        self.shown = np.maximum(shown, 0.0)
+        share = self.shown / np.where(total > 0, total, 1.0)
+        self.cross = cross
+        self.pairs = pairs
+        self.share = share
+        one = self.first
+        self.visible = share[one].copy()
+        two = self.width == 2
+        self.visible[two] = np.minimum(share[pairs], share[pairs + 1])
+        largest = total.max(initial=0.0)
+        self.valid = (self.visible > MIN_VISIBLE) & (total[one] > 1e-10 * largest)
+
+    def gains(self, h) -> np.ndarray:
+        """(K, C) drop of chi-square for residuals gathered as h (P, C), already projected."""
+        num = self.v @ h
+        gain = np.where(self.valid, num[self.first] ** 2 / np.where(self.valid, self.shown[self.first], 1.0), 0.0)
+        if len(self.pairs):
+            p = self.pairs
+            a, d, b = self.shown[p], self.shown[p + 1], self.cross
+            det = a * d - b * b
+            ok = det > 1e-3 * a * d
+            n1, n2 = num[p], num[p + 1]
+            both = (d * n1**2 - 2 * b * n1 * n2 + a * n2**2) / np.where(ok, det, 1.0)
+            two = self.width == 2
+            gain[two] = np.where(ok & self.valid[two], both, gain[two])
+        return gain
+
+    def scores(self, residual=None) -> Scores:
+        rows = self.rows
+        r = rows.residual if residual is None else residual
+        r = r - rows.q @ (rows.q.T @ r)
+        gain = self.gains(rows.gather(rows.lever * r[:, None]))
+        tail = np.where((self.width == 2)[:, None], log_tail(gain, 2), log_tail(gain, 1))
+        return Scores(self.shapes, gain, self.visible, np.where(self.valid, tail, 0.0))
+
+    def null_maxima(self, signs, batch: int = 32) -> np.ndarray:
+        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals; respects blocks by `signs`."""
+        rows = self.rows
+        p, components = len(rows.start), rows.lever.shape[1]
+        v = self.v.astype(np.float32)
+        one = self.first
+        inverse = np.where(self.valid, 1.0 / np.where(self.valid, self.shown[one], 1.0), 0.0).astype(np.float32)
+        single = self.width == 1
+        pairs = self.pairs
+        a, d, b = self.shown[pairs], self.shown[pairs + 1], self.cross
+        det = a * d - b * b
+        ok = (det > 1e-3 * a * d) & self.valid[self.width == 2]
+        scale = np.where(ok, 1.0 / np.where(ok, det, 1.0), 0.0)
+        ca, cb, cd = (x.astype(np.float32) for x in (a * scale, 2 * b * scale, d * scale))
+        out = np.empty(len(signs))
+        flipped = signs * rows.residual
+        flipped = flipped - (flipped @ rows.q) @ rows.q.T
+        for begin in range(0, len(signs), batch):
+            block = flipped[begin : begin + batch]
+            h = np.empty((p, len(block), components), dtype=np.float32)
+            for j, r in enumerate(block):
+                h[:, j] = rows.gather(rows.lever * r[:, None])
+            best1 = np.zeros(len(block))
+            best2 = np.zeros(len(block))
+            for k in range(0, len(v), CHUNK * 2):
+                num = (v[k : k + CHUNK * 2] @ h.reshape(p, -1)).reshape(-1, len(block), components)
+                here = np.flatnonzero(single & (one >= k) & (one < k + CHUNK * 2))
+                if len(here):
+                    x = num[one[here] - k]
+                    best1 = np.maximum(best1, (x * x * inverse[here][:, None, :]).max(axis=(0, 2)))
+                inside = np.flatnonzero((pairs >= k) & (pairs + 1 < min(k + CHUNK * 2, len(v))))
+                if len(inside):
+                    n1, n2 = num[pairs[inside] - k], num[pairs[inside] + 1 - k]
+                    x = cd[inside][:, None] * n1**2 - cb[inside][:, None] * n1 * n2 + ca[inside][:, None] * n2**2
+                    best2 = np.maximum(best2, x.max(axis=(0, 2)))
+            out[begin : begin + len(block)] = np.maximum(log_tail(best1, 1), log_tail(best2, 2))
+        return out
+
+
+def exact_gain(rows: Rows, component: int, vectors) -> tuple[float, np.ndarray, float]:
+    """(drop of chi-square, coefficients, visible share) of one component x driver columns (P, m), projected exactly."""
+    across, squares, residual = rows.per_point(component)
+    inner = (vectors * squares[:, None]).T @ vectors
+    shown = vectors.T @ across
+    gram = inner - shown @ shown.T
+    right = vectors.T @ residual
+    total = np.diag(inner)
+    size = np.sqrt(np.maximum(np.diag(gram), 1e-14 * np.maximum(total, 1e-300)))
+    solution, *_ = np.linalg.lstsq(gram / np.outer(size, size), right / size, rcond=1e-9)
+    coefficients = solution / size
+    share = float((np.diag(gram) / np.where(total > 0, total, 1.0)).min())
+    return float(right @ coefficients), coefficients, share

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Search: the candidates that explain most of what a fit leaves, with their unknown parameters refined.
+
+Among candidates that explain the same, the plainer one is preferred: the body's own axis, a logged column before time,
+the simpler shape, fewer factors.  The preference is a handicap in chi-square, so that data can overrule it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..core.drivers import legendre
+from ..core.errors import ROTATION, SQUARENESS, TRANSLATION, component
+from .bank import DIRECTIONS, POSITIONS, Shape
+from .design import ALL_SYMBOLS
+from .freeform import free_form
+from .scan import Rows, Scanner, exact_gain
+
+PER_PARAMETER = 7.0  # handicap of each further number fitted: about ln(number of readings)
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """component x driver x shape with what it explains.
+
+    symbol, shape; gain: drop of chi-square; coefficients (m,) mm or rad per driver unit; visible: share that the
+    declared model cannot imitate; handicap: preference in chi-square units.
+    """
+
+    symbol: str
+    shape: Shape
+    gain: float
+    coefficients: np.ndarray
+    visible: float
+    handicap: float
+
+    @property
+    def score(self) -> float:
+        return self.gain - self.handicap
+
+    @property
+    def key(self) -> tuple[str, str, str]:
+        return self.symbol, self.shape.driver, self.shape.shape
+
+    @property
+    def index(self) -> int:
+        return ALL_SYMBOLS.index(self.symbol)
+
+
+def vectors_of(shape: Shape, columns) -> np.ndarray:
+    """(P, m) columns of a shape; a polynomial's are Legendre P1..Pn over its domain."""
+    if shape.shape == "smooth":
+        p = shape.parameters
+        return free_form(columns, tuple(shape.driver.split("*")), p["degree"], p.get("domains")).vectors
+    if shape.shape == "polynomial":
+        v = np.ones(len(next(iter(columns.values()))))
+        for name in shape.driver.split("*"):
+            v = v * columns[name]
+        return legendre(v, int(shape.parameters["degree"]), shape.parameters["domain"])
+    return shape.vectors(columns)
+
+
+def axes_of(driver: str) -> set[str]:
+    """The machine axes that a driver speaks of: x, dir_x and temp_scale_x speak of X."""
+    found = set()
+    for name in driver.split("*"):
+        last = name.rsplit("_", 1)[-1]
+        if last in ("x", "y", "z"):
+            found.add(last.upper())
+    return found
+
+
+def handicap(symbol: str, shape: Shape) -> float:
+    """How far `component x driver x shape` stands behind the plainest reading of the same data, in chi-square."""
+    c = component(symbol)
+    cost = PER_PARAMETER * (shape.profiled + max(shape.width - 1, 0))
+    if shape.shape == "polynomial":
+        cost += PER_PARAMETER * (shape.parameters["degree"] - 1)
+    cost += 2.0 * (shape.factors - 1)
+    if "t" in shape.driver.split("*"):
+        cost += 2.0
+    if len(set(shape.driver.split("*"))) < shape.factors:
+        cost += 0.5
+    if shape.shape in ("power", "hysteresis"):
+        cost += 2.0
+    axes = axes_of(shape.driver)
+    if c.kind == SQUARENESS:
+        cost += 1.0
+    if axes and c.body not in axes:
+        cost += 1.0
+    if len(axes) > 1 and set(shape.driver.split("*")) - set(POSITIONS):
+        cost += 1.0  # the scale of one axis with the place along another
+    growth = shape.shape in ("approach", "lag") and c.kind == TRANSLATION and not axes
+    slipped = shape.shape == "step" and shape.driver == "t"
+    if c.body == "T":
+        cost += 0.6 if not (growth and c.axis == 2) else 0.0
+    elif c.body == "W":
+        cost += 0.8 if not slipped else 0.0
+    elif growth or slipped:
+        cost += 0.5
+    if c.kind == TRANSLATION and "XYZ"[c.axis] != c.body:
+        cost += 0.3
+    elif c.kind == TRANSLATION and axes == {c.body}:
+        cost -= 1.5  # an axis along itself, by its own scale, place or direction
+    if c.kind == ROTATION and axes and "XYZ"[c.axis] in axes and c.body in axes:
+        cost += 0.05
+    return cost + 0.01 * "XYZTW".index(c.body)
+
+
+def _candidate(rows: Rows, symbol: str, shape: Shape, columns) -> Candidate:
+    gain, coefficients, visible = exact_gain(rows, ALL_SYMBOLS.index(symbol), vectors_of(shape, columns))
+    return Candidate(symbol, shape, gain, coefficients, visible, handicap(symbol, shape))
+
+
+def _golden(f: Callable[[float], float], low: float, high: float, steps: int = 24) -> float:
+    ratio = (math.sqrt(5) - 1) / 2
+    a, b = low, high
+    c, d = b - ratio * (b - a), a + ratio * (b - a)
+    fc, fd = f(c), f(d)
+    for _ in range(steps):
+        if fc > fd:
+            b, d, fd = d, c, fc
+            c = b - ratio * (b - a)
+            fc = f(c)
+        else:
+            a, c, fc = c, d, fd
+            d = a + ratio * (b - a)
+            fd = f(d)
+    return (a + b) / 2
+
+
+def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candidate:
+    """The same candidate with its period, time constant, instant, width or exponent at its best."""
+    shape = candidate.shape
+    name = next((k for k in ("tau", "period", "at", "exponent", "width") if k in shape.parameters), None)
+    if name is None:
+        return candidate
+    start = shape.parameters[name]
+
+    def at(value):
+        return _candidate(rows, candidate.symbol, replace(shape, parameters={**shape.parameters, name: value}), columns)
+
+    if name == "at":
+        values = np.unique(columns[shape.driver])
+        near = int(np.searchsorted(values, start))
+        reach = max(3, len(values) // 30)
+        window = values[max(0, near - reach) : near + reach + 2]
+        trial = list(window) if len(window) <= 24 else list(window[:: len(window) // 24 + 1])
+        best = max([candidate] + [at(float(v)) for v in trial], key=lambda c: c.gain)
+        if len(trial) < len(window):
+            near = int(np.searchsorted(values, best.shape.parameters["at"]))
+            best = max([best] + [at(float(v)) for v in values[max(0, near - 6) : near + 7]], key=lambda c: c.gain)
+        instant = best.shape.parameters["at"]  # half way to the next reading: nothing tells them apart
+        after = values[values > instant]
+        return at(float((instant + after[0]) / 2)) if len(after) else best
+    if name == "period":
+        span = float(np.ptp(columns[shape.driver]))
+        reach = 0.35 / span
+        found = 1 / _golden(lambda f: at(1 / f).gain, 1 / start - reach, 1 / start + reach, steps)
+    elif name == "exponent":
+        found = _golden(lambda n: at(n).gain, max(0.25, start - 0.5), start + 0.6, steps)
+    else:
+        ratio = 1.7 if name == "tau" else 2.5
+        found = math.exp(
+            _golden(lambda v: at(math.exp(v)).gain, math.log(start / ratio), math.log(start * ratio), steps)
+        )
+    better = at(float(found))
+    return better if better.gain > candidate.gain else candidate
+
+
+def _local_shapes(rows: Rows, leaders, columns, names) -> list[Candidate]:
+    """Polynomials of one column on the components that lead: too many to stand in the bank."""
+    out = []
+    symbols = list(dict.fromkeys(c.symbol for c in leaders))[:12]
+    for symbol in symbols:
+        for name in names:
+            levels = len(np.unique(columns[name]))
+            if name in DIRECTIONS or levels < 4:
+                continue
+            v = columns[name]
+            domain = (float(v.min()), float(v.max()))
+            for degree in (2, 3):
+                if levels > degree:
+                    shape = Shape(name, "polynomial", {"degree": degree, "domain": domain})
+                    out.append(_candidate(rows, symbol, shape, columns))
+    return out
+
+
+def search(
+    rows: Rows, readings, scanner: Scanner, names, keep: int = 60, within: float = 60.0, minimum: float = 12.0
+) -> list[Candidate]:
+    """Best candidates first (by gain less handicap), one per component, driver and shape, parameters refined."""
+    columns = readings.columns
+    scores = scanner.scores()
+    flat = np.argsort(-scores.tail, axis=None)[: 40 * keep]
+    found: dict[tuple, Candidate] = {}
+    for i in flat:
+        k, c = np.unravel_index(i, scores.tail.shape)
+        if scores.gain[k, c] < minimum:
+            break
+        shape = scores.shapes[k]
+        key = (ALL_SYMBOLS[c], shape.driver, shape.shape)
+        if key in found:
+            continue
+        found[key] = _candidate(rows, ALL_SYMBOLS[c], shape, columns)
+        if len(found) >= 3 * keep:
+            break
+    if not found:
+        return []
+    ranked = sorted(found.values(), key=lambda c: -c.score)
+    best = ranked[0].score
+    near = [c for c in ranked if c.score > best - max(within, 0.3 * abs(best))][:keep]
+    near += _local_shapes(rows, near, columns, names)
+    coarse = sorted(near, key=lambda c: -c.score)
+    out = []
+    refined = 0
+    for c in coarse:
+        # equal columns on several bodies share one refinement's worth of work: cap it
+        if c.shape.profiled and c.shape.shape != "polynomial" and refined < 30:
+            c = refine(rows, c, columns, 16)
+            refined += 1
+        out.append(c)
+    out = [c for c in out if c.visible > 0.02]
+    return sorted(out, key=lambda c: -c.score)

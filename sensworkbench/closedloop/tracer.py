@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The loop of a trace: fit, scan, accept or abstain, add, again - until nothing is left that can be defended.
+
+An effect is accepted on a family-wise p over everything scanned, a size above the floor and a gain on whole blocks left
+out; it keeps its name only if half-samples choose it again and no free form of its own columns does better.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..core.errors import component
+from ..core.machine import Machine
+from ..core.synthesis import omega
+from ..core.workspace import Cancelled
+from . import evidence
+from .bank import bank, log_tail, useful_columns
+from .design import ALL_SYMBOLS, Design, design
+from .fit import Fit, basis, fit
+from .freeform import FreeScan, Structure, normal_score, subspace_gain
+from .naming import beyond, smooth_shape, stands_out
+from .readings import Readings
+from .scan import Rows, Scanner, exact_gain
+from .search import Candidate, search, vectors_of
+
+FLOOR = 0.2  # of one reading's noise: structure below it is never named
+ALPHA = 0.01
+SELECTION = 0.9
+RIVAL = 9.0
+MOST_EFFECTS = 4
+LARGEST_UM = 500.0  # a plausible effect is smaller
+
+
+@dataclass
+class Step:
+    """One effect and its evidence: family-wise p, size (rms per reading over its noise), held-out gain (total, SE) in
+    chi-square, selection frequency, and `refused`: why it may not carry a name ("" if it may)."""
+
+    candidate: Candidate
+    p: float = 1.0
+    size: float = 0.0
+    gain: tuple[float, float] = (0.0, 0.0)
+    selection: float = 0.0
+    refused: str = ""
+    pool: list[Candidate] = field(default_factory=list)
+
+    @property
+    def significant(self) -> bool:
+        return self.p < ALPHA and self.gain[0] > 2 * self.gain[1]
+
+
+@dataclass
+class Remainder:
+    """What free forms still find: p, size over the floor or not, the strongest structures."""
+
+    p: float = 1.0
+    size: float = 0.0
+    structure: Structure | None = None
+    gain: tuple[float, float] = (0.0, 0.0)
+
+
+class Tracer:
+    """The state of one trace: readings, design, the effects so far and the fit with them."""
+
+    def __init__(
+        self, machine: Machine, readings: Readings, *, seed: int = 0, permutations: int = 199, floor: float = FLOOR
+    ):
+        self.machine, self.readings, self.floor = machine, readings, floor
+        self.seed, self.permutations = seed, permutations
+        self.design: Design = design(machine, readings)
+        self.names = useful_columns(readings)
+        self.bank = bank(readings)
+        self.block = evidence.blocks(readings)
+        self.row_block = self.block[readings.point]
+        self.start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
+        self.signs = evidence.flips(self.row_block, permutations, seed)
+        self.steps: list[Step] = []
+        self.log: list[str] = []
+        self.roughness: list[Candidate] = []
+
+    # -- fits ----------------------------------------------------------------------------------------------------
+    def columns_of(self, candidates) -> np.ndarray | None:
+        """(R, m) design columns of candidates."""
+        if not candidates:
+            return None
+        point, lever = self.readings.point, self.design.lever
+        return np.concatenate(
+            [lever[:, [c.index]] * vectors_of(c.shape, self.readings.columns)[point] for c in candidates], axis=1
+        )
+
+    def fit_with(self, candidates) -> Fit:
+        return fit(self.design, self.readings, self.columns_of(candidates))
+
+    def rows(self, fitted: Fit) -> Rows:
+        return Rows(
+            self.design.lever * fitted.weight[:, None], fitted.residual * fitted.weight, self.start, fitted.basis.q
+        )
+
+    def rows_with(self, fitted: Fit, candidates) -> Rows:
+        """Rows of the model that holds just `candidates`, under the weights of `fitted`."""
+        extra = self.columns_of(candidates)
+        matrix = self.design.matrix if extra is None else np.concatenate([self.design.matrix, extra], axis=1)
+        b = basis(matrix, fitted.weight)
+        y = self.readings.value * fitted.weight
+        return Rows(self.design.lever * fitted.weight[:, None], y - b.q @ (b.q.T @ y), self.start, b.q)
+
+    def grams(self, fitted: Fit, others, candidates):
+        """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate)."""
+        parts = [basis(self.design.matrix, fitted.weight).q]
+        extra = self.columns_of(others)
+        if extra is not None:
+            parts.append(extra * fitted.weight[:, None])
+        at = sum(p.shape[1] for p in parts)
+        base, mine = list(range(at)), []
+        for c in candidates:
+            x = self.columns_of([c]) * fitted.weight[:, None]
+            parts.append(x)
+            mine.append(list(range(at, at + x.shape[1])))
+            at += x.shape[1]
+        grams = evidence.BlockGrams(np.concatenate(parts, axis=1), self.readings.value * fitted.weight, self.row_block)
+        return grams, base, mine
+
+    @property
+    def candidates(self) -> list[Candidate]:
+        return [s.candidate for s in self.steps]
+
+    # -- evidence for one candidate ------------------------------------------------------------------------------
+    def judge(self, others, best: Candidate) -> Step:
+        """Family-wise p, size and held-out gain of `best` beside `others`."""
+        full = self.fit_with([*others, best])
+        gain, coefficients, visible = exact_gain(
+            self.rows_with(full, others), best.index, vectors_of(best.shape, self.readings.columns)
+        )
+        after = self.rows(full)
+        null = Scanner(after, self.bank, self.readings.columns).null_maxima(self.signs)
+        tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
+        used = max(int(np.count_nonzero(full.weight)), 1)
+        grams, base, mine = self.grams(full, others, [best])
+        held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
+        found = Candidate(best.symbol, best.shape, gain, coefficients, visible, best.handicap)
+        return Step(found, evidence.p_value(tail, null), float(np.sqrt(gain / used)), held)
+
+    def passes(self, step: Step) -> bool:
+        return step.significant and step.size > self.floor
+
+    def selection(self, others, best: Candidate, pool, halves: int = 100) -> float:
+        """Share of half-samples of blocks in which `best` stays within the class of the leading candidate."""
+        full = self.fit_with([*others, best])
+        pool = [best] + [c for c in pool if c.key != best.key][:40]
+        grams, base, mine = self.grams(full, others, pool)
+        rng = np.random.default_rng(self.seed + 1)
+        cost = np.array([c.handicap for c in pool])
+        hits = 0
+        for _ in range(halves):
+            use = rng.permutation(grams.count)[: grams.count // 2]
+            score = grams.gains(base, mine, use) - cost
+            hits += bool(score[0] > score.max() - RIVAL and score[0] > 0)
+        return hits / halves
+
+    # -- the loop ------------------------------------------------------------------------------------------------
+    def add_effects(self, tell: Callable[[float, str], bool]):
+        """Add effects one after another, each judged, all settled together."""
+        for number in range(MOST_EFFECTS):
+            if not tell(0.1 + 0.15 * number, f"scanning for effect {number + 1}"):
+                raise Cancelled("cancelled")
+            step = self._next(self.candidates)
+            if step is None:
+                return
+            self.steps.append(step)
+            self.settle()
+
+    def _next(self, others) -> Step | None:
+        fitted = self.fit_with(others)
+        rows = self.rows(fitted)
+        scanner = Scanner(rows, self.bank, self.readings.columns)
+        found = search(rows, self.readings, scanner, self.names)
+        tried: set[str] = set()
+        lines = True
+        for best in found:
+            if (best.shape.shape == "periodic" and not lines) or best.shape.driver in tried:
+                continue
+            if len(tried) == 3:
+                return None
+            step = self.judge(others, best)
+            self.log.append(
+                f"{' '.join(best.key)} {dict(best.shape.parameters)}: gain {step.candidate.gain:.1f}, p {step.p:.4f}, "
+                f"size {step.size:.2f}, held out {step.gain[0]:.1f} +- {step.gain[1]:.1f}"
+            )
+            if best.shape.shape == "periodic" and step.p < ALPHA and not self._line(others, step.candidate):
+                self.roughness.append(step.candidate)
+                lines = False
+                continue
+            tried.add(best.shape.driver)
+            if self.passes(step):
+                step.pool = found
+                return step
+            if not step.p < ALPHA:
+                return None
+        return None
+
+    def _line(self, others, candidate: Candidate) -> bool:
+        full = self.fit_with([*others, candidate])
+        rows = self.rows(full)
+        if not stands_out(rows, candidate, Scanner(rows, self.bank, self.readings.columns)):
+            return False
+        return not beyond(rows, candidate, self.readings.columns, self.names, int(np.count_nonzero(full.weight)))
+
+    def settle(self, rounds: int = 3):
+        """Look again at each effect with the others in the model; exchange it where another explains more."""
+        for _ in range(rounds):
+            changed = False
+            for i, step in enumerate(self.steps):
+                others = [s.candidate for j, s in enumerate(self.steps) if j != i]
+                full = self.fit_with(self.candidates)
+                rows = self.rows_with(full, others)
+                scanner = Scanner(rows, self.bank, self.readings.columns)
+                found = search(rows, self.readings, scanner, self.names)
+                if step.candidate.shape.shape != "periodic":
+                    found = [c for c in found if c.shape.shape != "periodic" or not self.roughness]
+                if not found:
+                    continue
+                changed |= found[0].key != step.candidate.key
+                step.candidate, step.pool = found[0], found
+            if not changed:
+                return
+
+    def review(self):
+        """Judge every effect beside all the others, and test whether it may carry its name."""
+        for i, step in enumerate(self.steps):
+            others = [s.candidate for j, s in enumerate(self.steps) if j != i]
+            again = self.judge(others, step.candidate)
+            step.candidate, step.p, step.size, step.gain = again.candidate, again.p, again.size, again.gain
+            step.selection = self.selection(others, step.candidate, step.pool)
+            step.refused = self._refusal(step, others)
+
+    def _refusal(self, step: Step, others) -> str:
+        c = step.candidate
+        if not self.passes(step):
+            return "it does not hold beside the other effects"
+        if step.selection < SELECTION:
+            return f"only {step.selection:.0%} of the half-samples choose it"
+        apart = [o for o in others if not _same_place(o, c)]
+        full = self.fit_with(self.candidates)
+        rows = self.rows_with(full, [*apart, c])
+        reason = beyond(rows, c, self.readings.columns, self.names, int(np.count_nonzero(full.weight)))
+        if reason:
+            return reason
+        if self.amplitude_um(c) > LARGEST_UM:
+            return f"{self.amplitude_um(c):.0f} um is no plausible size"
+        return ""
+
+    def amplitude_um(self, c: Candidate) -> float:
+        """3-D rms over the points, um."""
+        column = omega(self.machine, [c.symbol], self.readings.q, self.readings.tool_offset)[:, :, 0]
+        motion = vectors_of(c.shape, self.readings.columns) @ c.coefficients
+        return 1e3 * float(np.sqrt((column**2).sum(axis=1) @ motion**2 / len(motion)))
+
+    # -- what is left ----------------------------------------------------------------------------------------------
+    def remainder(self, model) -> Remainder:
+        """Free forms of any two columns on what `model` leaves, sized with a finer form on the leading places."""
+        fitted = self.fit_with(model)
+        rows = self.rows(fitted)
+        used = max(int(np.count_nonzero(fitted.weight)), 1)
+        found, _ = FreeScan(rows, self.readings, self.names, _distinct(self.machine)).best(self.signs[:99])
+        best, best_score = None, -np.inf
+        for s in found[:12]:
+            for degree in (4, 6, 8, 10):
+                shape = smooth_shape(s.columns, self.readings.columns, degree)
+                gain, dims = subspace_gain(rows, s.component, vectors_of(shape, self.readings.columns))
+                score = normal_score(gain, dims)
+                if dims and score > best_score:
+                    best, best_score = (s, shape, gain, dims), score
+        if best is None:
+            return Remainder()
+        s, shape, gain, dims = best
+        size = float(np.sqrt(max(gain - dims, 0.0) / used))
+        p = found[0].p
+        if p >= ALPHA and best_score > 4.5:  # sign flips of a strong structure hide it: take it out first
+            symbol = ALL_SYMBOLS[s.component]
+            smooth = Candidate(symbol, shape, gain, np.zeros(0), 1.0, 0.0)
+            clean = self.rows(self.fit_with([*model, smooth]))
+            _, null = FreeScan(clean, self.readings, self.names, _distinct(self.machine)).best(self.signs[:99])
+            p = evidence.p_value(found[0].score, null)
+        candidate = Candidate(ALL_SYMBOLS[s.component], shape, gain, np.zeros(0), 1.0, 0.0)
+        grams, base, mine = self.grams(fitted, model, [candidate])
+        held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
+        return Remainder(p, size, Structure(s.component, s.columns, gain, dims, p, gain - dims, best_score), held)
+
+
+def normal_tail(gain: float, dims: int) -> float:
+    """-log10 of the chi-square tail on `dims` degrees of freedom."""
+    if dims == 2:
+        return float(log_tail(np.array(gain), 2))
+    z = max(normal_score(gain, dims), 0.0)
+    return float(log_tail(np.array(z * z), 1))
+
+
+def _same_place(a: Candidate, b: Candidate) -> bool:
+    """Do two candidates move the same body part in the same way by a common column?"""
+    ca, cb = component(a.symbol), component(b.symbol)
+    alike = a.symbol == b.symbol or (not ca.angular and not cb.angular and ca.axis == cb.axis)
+    return alike and bool(set(a.shape.driver.split("*")) & set(b.shape.driver.split("*")))
+
+
+def _distinct(machine: Machine) -> list[int]:
+    """Components that can differ under a free form: three translations and every rotation."""
+    return [
+        i
+        for i, s in enumerate(ALL_SYMBOLS)
+        if (component(s).angular and component(s).kind != "squareness") or component(s).body == "W"
+    ]
