@@ -157,25 +157,28 @@ def in_freecad() -> bool:
     return "FreeCAD" in sys.modules
 
 
-def _in_document(arguments) -> int:
-    """Hand a verb on a document to FreeCAD: the batch run when inside, a new FreeCAD process when not."""
+def _hand_over(arguments) -> int:
+    """Run the same verb inside a new FreeCAD process; returns its exit status."""
     if not Path(arguments.machine).is_file():
         raise Refused("cannot be read: no such file", arguments.machine, "Check the name.")
-    if in_freecad():
-        return importlib.import_module("sensworkbench.document.batch").run(arguments.argv)
     return importlib.import_module("sensworkbench.document.handoff").run(arguments.argv)
 
 
 # -- sensitivity -----------------------------------------------------------------------------------------------------
 def _sensitivity(arguments) -> int:
-    if is_document(arguments.machine):
-        return _in_document(arguments)
+    if is_document(arguments.machine) and not in_freecad():
+        return _hand_over(arguments)
     from sensworkbench.formats import machine_json, runs
 
-    machine = machine_json.load(arguments.machine)
     picture = runs.read_picture(arguments.picture) if arguments.picture else None
-    machine, result = runs.compute(machine, sensitivity_options(arguments))
-    for path in runs.write(arguments.out, machine, result, arguments.angle_unit, picture):
+    options = sensitivity_options(arguments)
+    if is_document(arguments.machine):
+        batch = importlib.import_module("sensworkbench.document.batch")
+        paths = batch.sensitivity(arguments.machine, arguments.out, options, picture)
+    else:
+        machine, result = runs.compute(machine_json.load(arguments.machine), options)
+        paths = runs.write(arguments.out, machine, result, arguments.angle_unit, picture)
+    for path in paths:
         _say(str(path))
     return DONE
 
