@@ -90,21 +90,23 @@ def indices(omega, moments: Moments, weights=None) -> Indices:
     mean, variance = np.empty(count), np.empty(count)
     var = moments.var
     excess = moments.fourth - var**2  # V(U²)
-    own_only = excess - 4 * var**2  # takes the j = i term of the interaction sum away
+    # V_i (centred) + sum_{j != i} V_ij = 4 var_i [sum_j A_ij² var_j + A_ii² (excess_i/(4 var_i) - var_i)]
+    own = np.divide(excess, 4 * var, out=np.zeros(n), where=var > 0) - var
     centred = not moments.mean.any()
 
     pairs = [(a, a) for a in range(rows)] + [(a, b) for a in range(rows) for b in range(a + 1, rows)]
     occurs = np.array([1.0 if a == b else 2.0 for a, b in pairs])[:, None]  # P_ab stands for P_ba too
-    size = min(CHUNK, count)
-    products, squared, spread = np.empty((len(pairs), n, size)), np.empty((n, size)), np.empty((n, size))
+    size = 0
     for block, w in _blocks(omega, weights):
-        if w.shape[2] < size:  # the last block
+        if w.shape[2] != size:  # the first block, and the last one where it is shorter
             size = w.shape[2]
-            products, squared, spread = np.empty((len(pairs), n, size)), np.empty((n, size)), np.empty((n, size))
+            planes, factors = np.empty((len(pairs) + 1, n, size)), np.empty((len(pairs) + 1, size))
+            squared, bracket = np.empty((n, size)), np.empty((n, size))
+            products, diagonal = planes[:-1], planes[:rows].reshape(rows, -1)
         for k, (a, b) in enumerate(pairs):
             np.multiply(w[a], w[b], out=products[k])
+        np.matmul(np.ones(rows), diagonal, out=squared.reshape(-1))  # A_ii
         m = np.matmul(var, products)  # (pairs, size)
-        np.sum(products[:rows], axis=0, out=squared)  # A_ii
         mean[block] = m[:rows].sum(axis=0)
         linear = 0.0
         if not centred:
@@ -118,12 +120,12 @@ def indices(omega, moments: Moments, weights=None) -> Indices:
             v += linear.sum(axis=0)
         variance[block] = v
         scale = _reciprocal(v)
-        np.einsum("kp,knp->np", m * occurs * scale, products, out=spread)
-        spread *= 4 * var[:, None]
+        factors[:-1], factors[-1] = m * occurs * scale, scale
+        np.multiply(squared, own[:, None], out=planes[-1])
+        np.einsum("kp,knp->np", factors, planes, out=bracket)
+        np.multiply(bracket, 4 * var[:, None], out=total[:, block])
         squared *= scale
         np.multiply(squared, excess[:, None], out=first[:, block])
-        squared *= own_only[:, None]
-        np.add(spread, squared, out=total[:, block])
         if not centred:
             linear *= scale
             first[:, block] += linear
