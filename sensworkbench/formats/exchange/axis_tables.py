@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tables that shift one axis by the position of one axis: what LinuxCNC, Heidenhain and Siemens controllers run.
+
+The value is the *error* of the output axis, actual minus commanded tool position along its positive direction (ISO
+sign, tool relative to workpiece, on both sides of the machine), mm; each writer turns it into what its controller
+expects.  Steps are halved until linear interpolation is good to `TABLE_GOAL_MM`, or the controller's table is full.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from sensworkbench.core.drivers import effect_values
+from sensworkbench.core.errors import AXES, SQUARENESS_SYMBOLS, component
+from sensworkbench.core.machine import Machine
+
+from .coverage import Coverage, drive
+from .series import as_direction, series, squareness
+
+TABLE_GOAL_MM = 2e-5
+
+
+@dataclass(frozen=True)
+class AxisTable:
+    """Error of axis `output`, mm, where axis `source` is at `position` (n,) mm, moving up (`plus`) or down (`minus`).
+
+    interpolation : largest error of linear interpolation between the points, mm.
+    """
+
+    source: str
+    output: str
+    position: np.ndarray
+    plus: np.ndarray
+    minus: np.ndarray
+    interpolation: float
+
+    @property
+    def reverses(self) -> bool:
+        return not np.array_equal(self.plus, self.minus)
+
+
+def axis_tables(machine: Machine, coverage: Coverage, limit: int) -> dict[tuple[str, str], AxisTable]:
+    """(source axis, output axis) -> table of everything that `coverage` lists; at most `limit` points each."""
+    machine = as_direction(machine)
+    parts = _contributions(machine, coverage)
+    tables = {}
+    for source in AXES:
+        pairs = [(s, o) for s, o in parts if s == source]
+        for pair in pairs:
+            tables[pair] = _sampled(pair, parts[pair], machine.axes[source].travel, limit)
+    return tables
+
+
+def _contributions(machine: Machine, coverage: Coverage) -> dict[tuple[str, str], list[Callable]]:
+    parts: dict[tuple[str, str], list[Callable]] = {}
+    u = machine.directions
+    # along the machine frame -> along the positive direction of the output axis, which may count the other way
+    sign = {k: float(np.sign(u[k][i])) for i, k in enumerate(AXES)}
+
+    def add(source, output, function):
+        parts.setdefault((source, output), []).append(lambda q, d: sign[output] * function(q, d))
+
+    for symbol in coverage.symbols:
+        c = component(symbol)
+        if symbol in SQUARENESS_SYMBOLS:
+            turn = np.zeros(3)
+            turn[c.axis] = squareness(machine, symbol)
+            slope = np.cross(turn, u[c.body])
+            for i, output in enumerate(AXES):
+                if abs(slope[i]) > 0.1 * abs(turn[c.axis]):  # the rest is a skew of the design, second order
+                    add(c.body, output, lambda q, d, s=slope[i]: s * q)
+        else:
+            add(c.body, AXES[c.axis], lambda q, d, f=series(machine, symbol): f(q))
+    for effect in machine.effects:
+        if effect.enabled and effect.name in coverage.effects:
+            at = drive(effect)
+            source = at.direction or at.axes[0]
+            add(source, AXES[component(effect.component).axis], lambda q, d, e=effect, s=source: _effect(e, s, q, d))
+    return parts
+
+
+def _effect(effect, source, q, direction):
+    name = source.lower()
+    return effect_values(effect, {name: q, f"dir_{name}": np.full_like(q, direction)})
+
+
+def _sampled(pair, functions, travel, limit: int) -> AxisTable:
+    def value(q, direction):
+        return sum((f(q, direction) for f in functions), np.zeros_like(q))
+
+    low, high = travel
+    count = 3
+    while True:
+        position = np.linspace(low, high, count)
+        between = np.linspace(low, high, 8 * (count - 1) + 1)
+        plus, minus = value(position, 1.0), value(position, -1.0)
+        worst = max(
+            float(np.abs(np.interp(between, position, table) - value(between, d)).max())
+            for table, d in ((plus, 1.0), (minus, -1.0))
+        )
+        if worst <= TABLE_GOAL_MM or count >= limit:
+            break
+        count = min(2 * count - 1, limit)
+    return AxisTable(*pair, position, plus, minus, worst)

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One call per direction: a machine's errors into the files of another system with a statement of what they cannot
+hold, and tables of another system into a machine.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from sensworkbench.closedloop.readings import Finding
+from sensworkbench.core.machine import Machine
+from sensworkbench.core.refusal import Refused
+
+from ..files import read_text, staged, write_text
+from . import etalon, fcm, heidenhain, isg, linuxcnc, siemens
+from .axis_tables import axis_tables
+from .coverage import FORMATS, Coverage, after_compensation, expressible
+from .tables import Approximation, Convention, merged, sampled, to_machine
+
+__all__ = [
+    "FORMATS_OUT", "FORMATS_IN", "Written", "convert", "write", "statement", "import_errors", "import_machine",
+    "expressible", "after_compensation",
+]  # fmt: skip
+
+FORMATS_OUT = (*FORMATS, "fcm")
+FORMATS_IN = ("isg", "etalon", "fcm")
+AXIS_WRITERS = {"linuxcnc": linuxcnc, "heidenhain": heidenhain, "siemens": siemens}
+SIGNS = {
+    "isg": "Values are errors (actual - nominal, tool relative to workpiece) in mm and rad; the controller subtracts "
+    "them. It corrects the tool's position, not its orientation.",
+    "etalon": "Values are errors (actual - nominal, tool relative to workpiece) in mm and rad.",
+    "linuxcnc": "mm. Type 0 states actual positions, nominal + error; type 1 states trims, -error. BACKLASH of these "
+    "joints is ignored by the controller.",
+    "heidenhain": "Values are errors in mm, positive where the travel is too long; BACKLASH is the own axis's error in "
+    "the negative direction. The sign was read from a manual, not tried on a controller: check one point.",
+    "siemens": "Values are errors in mm: a positive value moves the axis in the negative direction (ENC_COMP, from the "
+    "function manual). The same sign is assumed for CEC and was not confirmed: check one point.",
+}
+
+
+@dataclass(frozen=True)
+class Written:
+    """files : name -> text.  coverage : None for fcm.  notes : sentences about this conversion."""
+
+    format: str
+    files: dict[str, str]
+    coverage: Coverage | None
+    notes: tuple[str, ...] = field(default=())
+
+
+def write(machine: Machine, fmt: str, **options) -> Written:
+    """The files of format `fmt` as texts.  Options: linuxcnc file_type; heidenhain style; siemens axis_names,
+    measuring_system, reference, cec_sign; fcm base (text of a file to keep the rest of)."""
+    if fmt == "fcm":
+        notes = tuple(f"Not held: {what}." for what in fcm.lost(machine))
+        return Written(fmt, {"machine.fcm": fcm.dumps(machine, **options)}, None, notes)
+    if fmt not in FORMATS:
+        raise Refused(f"unknown format {fmt!r}", "format", f"Use one of {', '.join(FORMATS_OUT)}.")
+    coverage = expressible(machine, fmt)
+    if not coverage.symbols and not coverage.effects:
+        why = f"; {coverage.missing[0][0]}: {coverage.missing[0][1]}" if coverage.missing else ""
+        do = "Fit readings first (trace), or choose another format."
+        raise Refused(f"nothing in this machine can be written as {FORMATS[fmt]}{why}", machine.name, do)
+    notes = [SIGNS[fmt]]
+    if fmt in AXIS_WRITERS:
+        module = AXIS_WRITERS[fmt]
+        tables = axis_tables(machine, coverage, module.LIMIT)
+        files = module.files(tables, **options)
+        for (source, output), t in tables.items():
+            text = f"{output} by {source}: {len(t.position)} points every {t.position[1] - t.position[0]:g} mm"
+            notes.append(f"{text}, interpolation error {t.interpolation * 1e3:.3f} um.")
+    else:
+        tables = sampled(machine, coverage)
+        module = {"isg": isg, "etalon": etalon}[fmt]
+        name = "errors_isg.csv" if fmt == "isg" else "errors_etalon.txt"
+        files = {name: module.dumps(tables, f"machine {_line(machine.name)}", **options)}
+        records = sum(len(t.values) for t in tables.tables)
+        notes.append(f"{len(tables.tables)} tables with {records} values, and {len(tables.constants)} constants.")
+        for t in tables.tables:
+            if t.interpolation > (2e-7 if t.symbol[1] in "ABC0" else 2e-4):
+                unit = "urad" if t.symbol[1] in "ABC0" else "um"
+                size = t.interpolation * (1e6 if unit == "urad" else 1e3)
+                notes.append(f"{t.symbol}: interpolation error {size:.3f} {unit}.")
+    if machine.squareness == "carried":
+        notes.append("Squareness carried to later links is written as tilt of direction plus constant rotations.")
+    if (machine.fitted or {}).get("alignment"):
+        notes.append("The alignment of the measuring set-up is not part of the tables.")
+    return Written(fmt, files, coverage, tuple(notes))
+
+
+def _line(text: str) -> str:
+    return " ".join(text.split())
+
+
+def statement(machine: Machine, written: Written) -> str:
+    """What the files hold and what they do not, in words."""
+    title = FORMATS.get(written.format, "FreeCAD CAM machine")
+    lines = [f"{title}, from machine {_line(machine.name)} ({machine.structure})", ""]
+    c = written.coverage
+    if c is not None:
+        lines += ["Covered errors: " + (", ".join(c.symbols) or "none")]
+        lines += ["Covered effects: " + (", ".join(c.effects) or "none")]
+        lines += ["", "Not covered:" if c.missing else "Everything is covered."]
+        lines += [f"  {name}: {why}." for name, why in c.missing]
+        lines.append("")
+    return "\n".join([*lines, *written.notes]) + "\n"
+
+
+def convert(machine: Machine, fmt: str, outdir, **options) -> Written:
+    """Write the files of `fmt` and `statement.txt` into `outdir`, all of them or none."""
+    written = write(machine, fmt, **options)
+    with staged(outdir) as folder:
+        for name, text in written.files.items():
+            write_text(folder / name, text)
+        write_text(folder / "statement.txt", statement(machine, written))
+    return written
+
+
+def import_errors(
+    machine: Machine, fmt: str, *paths, degree: int = 3, convention: Convention | None = None
+) -> tuple[Machine, tuple[Approximation, ...], tuple[Finding, ...]]:
+    """The machine with the error tables of ISG or Etalon files as its fitted errors; see `tables.to_machine`."""
+    if fmt not in ("isg", "etalon"):
+        raise Refused(f"error tables of format {fmt!r} cannot be read", "format", "Use isg or etalon.")
+    module = isg if fmt == "isg" else etalon
+    return to_machine(machine, merged([module.loads(read_text(p), str(p)) for p in paths]), degree, convention)
+
+
+def import_machine(path, tool_point=(0.0, 0.0, 0.0)) -> tuple[Machine, tuple[Finding, ...]]:
+    """The machine of a FreeCAD CAM machine file."""
+    return fcm.loads(read_text(path), str(Path(path)), tool_point)

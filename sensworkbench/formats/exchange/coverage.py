@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a format can express of a machine's fitted errors and effects, why not the rest, and what error remains.
+
+`after_compensation` gives the machine with the covered errors taken out: the same predictor then answers what error a
+controller that runs the tables still makes.  Linear interpolation between table points is judged by the writers.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from sensworkbench.core.drivers import Effect, driver_columns
+from sensworkbench.core.errors import AXES, SQUARENESS, TRANSLATION, component
+from sensworkbench.core.machine import Machine
+from sensworkbench.core.refusal import Refused
+
+from .series import as_direction, present, with_fitted
+
+FORMATS = {
+    "isg": "ISG CSV (Beckhoff TF5280)",
+    "etalon": "Etalon exchange format",
+    "linuxcnc": "LinuxCNC COMP_FILE",
+    "heidenhain": "Heidenhain .COM",
+    "siemens": "Siemens ENC_COMP and CEC",
+}
+POSITION = {"x": "X", "y": "Y", "z": "Z"}
+DIRECTION = {"dir_x": "X", "dir_y": "Y", "dir_z": "Z"}
+SMOOTH = ("linear", "polynomial", "periodic", "power")
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """symbols : fitted errors that are covered.  effects : names of effects that are.  missing : (name, reason)."""
+
+    format: str
+    symbols: tuple[str, ...]
+    effects: tuple[str, ...]
+    missing: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Drive:
+    """What a position table would be looked up by: axes of position, and the axis whose direction matters ("" none)."""
+
+    axes: tuple[str, ...]
+    direction: str = ""
+
+
+def drive(effect: Effect) -> Drive | str:
+    """The table arguments of an effect, or the reason why no table of positions can hold it."""
+    columns = driver_columns(effect.driver)
+    foreign = sorted(c for c in set(columns) if c not in POSITION and c not in DIRECTION)
+    if foreign:
+        return f"a controller table does not know {', '.join(foreign)}"
+    directions = [c for c in columns if c in DIRECTION]
+    axes = tuple(sorted({POSITION[c] for c in columns if c in POSITION}))
+    if directions:
+        if len(directions) > 1 or effect.shape not in ("linear", "reversal"):
+            return "a table knows one direction of travel, and only in proportion"
+        return Drive(axes, DIRECTION[directions[0]])
+    if effect.shape not in SMOOTH:
+        return f"a table of positions cannot hold the shape {effect.shape!r}"
+    return Drive(axes)
+
+
+def check_format(fmt: str) -> str:
+    if fmt not in FORMATS:
+        raise Refused(f"unknown format {fmt!r}", "format", f"Use one of {', '.join(FORMATS)}.")
+    return fmt
+
+
+def _parametric(fmt: str, symbol: str, at: Drive) -> str:
+    """Why ISG or Etalon tables cannot hold a component driven so ("" if they can)."""
+    c = component(symbol)
+    if c.body not in AXES:
+        return "it is no error of an axis"
+    if at.direction:
+        return "the tables do not know the direction of travel"
+    if fmt == "etalon" and (c.kind == SQUARENESS or set(at.axes) != {c.body}):
+        return "a table depends on the axis's own position only"
+    return ""
+
+
+def _axis_table(fmt: str, symbol: str, at: Drive) -> str:
+    """Why a table that shifts one axis by the position of one axis cannot hold it ("" if it can)."""
+    c = component(symbol)
+    if c.kind != TRANSLATION:
+        return "tables that shift an axis cannot follow a rotation, whose effect depends on the other axes and the tool"
+    along = AXES[c.axis]
+    inputs = set(at.axes) | ({at.direction} - {""})
+    if len(inputs) != 1:
+        return "a table depends on the position of one axis"
+    (source,) = inputs
+    if fmt == "linuxcnc" and source != along:
+        return "a table shifts an axis by its own position only"
+    if fmt == "heidenhain" and at.direction and source != along:
+        return "the table knows the direction of travel only for the axis's own shift"
+    return ""
+
+
+def obstacle(fmt: str, symbol: str, at: Drive) -> str:
+    rule = _parametric if fmt in ("isg", "etalon") else _axis_table
+    return rule(fmt, symbol, at)
+
+
+def _declared_obstacle(fmt: str, symbol: str) -> str:
+    c = component(symbol)
+    if c.kind == SQUARENESS:
+        return "a table shifts an axis by its own position only" if fmt == "linuxcnc" else ""
+    return obstacle(fmt, symbol, Drive((c.body,)))
+
+
+def expressible(machine: Machine, fmt: str) -> Coverage:
+    """What `fmt` can hold of the fitted errors and the enabled effects, and the reason for each that it cannot."""
+    check_format(fmt)
+    machine = as_direction(machine)
+    symbols, effects, missing = [], [], []
+    for symbol in present(machine):
+        why = _declared_obstacle(fmt, symbol)
+        if why:
+            missing.append((symbol, why))
+        else:
+            symbols.append(symbol)
+    for effect in machine.effects:
+        if not effect.enabled:
+            continue
+        at = drive(effect)
+        why = at if isinstance(at, str) else obstacle(fmt, effect.component, at)
+        if why:
+            missing.append((effect.name, why))
+        else:
+            effects.append(effect.name)
+    return Coverage(fmt, tuple(symbols), tuple(effects), tuple(missing))
+
+
+def after_compensation(machine: Machine, fmt: str) -> Machine:
+    """The machine that is left when a controller applies the tables: covered errors and effects are taken out.
+
+    Squareness is stated as a tilt of direction in the result.  Declared functions and tolerances stay.
+    """
+    coverage = expressible(machine, fmt)
+    machine = as_direction(machine)
+    effects = [replace(e, enabled=False) if e.name in coverage.effects else e for e in machine.effects]
+    return with_fitted(machine, dict.fromkeys(coverage.symbols), effects)

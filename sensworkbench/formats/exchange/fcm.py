@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD CAM machine files (*.fcm, version 1): the three linear axes, their chains, directions, joints and limits.
+
+The schema is that of FreeCAD's src/Mod/CAM/Machine/models/machine.py.  Such a file knows neither tool point nor errors.
+`joint` is written as {"origin", "axis"}: FreeCAD takes the older list form for a direction as soon as the origin is
+not zero.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+
+from sensworkbench.closedloop.readings import Finding
+from sensworkbench.core.errors import AXES
+from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.refusal import Refused
+
+from ..json_text import Place, parse
+
+INCH = 25.4
+ROLES = {"table_linear": "workpiece", "head_linear": "tool"}
+
+
+def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) -> tuple[Machine, tuple[Finding, ...]]:
+    """The machine in `text`, and what the file leaves open."""
+    top = parse(text, source)
+    if not isinstance(top.value, dict):
+        raise top.refuse("this is not a FreeCAD machine", "Save it from the machine editor of CAM.")
+    if top.value.get("version", 1) != 1:
+        raise top["version"].refuse(f"version {top.value['version']!r} is not known", "Known is 1.")
+    place = top["machine"] if "machine" in top else top
+    if not isinstance(place.value, dict) or not isinstance(place.value.get("axes"), dict):
+        raise place.refuse("the machine has no axes", "Save it from the machine editor of CAM.")
+    units = place.value.get("units", "metric")
+    if units not in ("metric", "imperial"):
+        raise place["units"].refuse(f"units {units!r} are unknown", 'Use "metric" or "imperial".')
+    scale = INCH if units == "imperial" else 1.0
+    findings = []
+    linear: dict[str, Mapping] = {}
+    for name, entry in place["axes"].members():
+        if not isinstance(entry.value, dict):
+            raise entry.refuse("an axis is an object")
+        if entry.value.get("type", "linear") != "linear":
+            findings.append(Finding("warning", "axis-ignored", f"axis {name} is rotary: it stays where it is"))
+        elif name.upper() in AXES:
+            linear[name.upper()] = _axis(name, entry, scale)
+        else:
+            findings.append(Finding("warning", "axis-ignored", f"axis {name} is none of X, Y, Z: it stays where it is"))
+    for name in AXES:
+        if name not in linear:
+            raise place["axes"].refuse(f"linear axis {name} is missing", "A machine has X, Y and Z.")
+    chains = {side: _chain(linear, side, findings) for side in ("workpiece", "tool")}
+    if tuple(tool_point) == (0.0, 0.0, 0.0):
+        findings.append(Finding("warning", "tool-point", "the file knows no tool point: the origin is taken"))
+    if all(a["origin"] == (0.0, 0.0, 0.0) for a in linear.values()):
+        text = "all joints stand at the origin: lever arms are only as good as these reference points"
+        findings.append(Finding("warning", "reference-points", text))
+    machine = Machine(
+        name=str(place.value.get("name", "machine")),
+        workpiece_chain=chains["workpiece"],
+        tool_chain=chains["tool"],
+        axes={k: Axis(k, a["direction"], a["origin"], a["travel"]) for k, a in linear.items()},
+        tool_point=tuple(float(v) for v in tool_point),
+    )
+    return machine, tuple(findings)
+
+
+def _axis(name: str, entry: Place, scale: float) -> dict:
+    role = entry.value.get("role", "table_linear")
+    if role not in ROLES:
+        raise entry["role"].refuse(f"role {role!r} is not that of a linear axis", f"Use {' or '.join(ROLES)}.")
+    origin, direction = _joint(entry)
+    limits = entry["limits"] if "limits" in entry else None
+    low = limits["min"].number() if limits is not None and "min" in limits else 0.0
+    high = limits["max"].number() if limits is not None and "max" in limits else 1000.0 / scale
+    if not low < high:
+        raise entry.refuse(f"limits from {low:g} to {high:g} have no length", "Correct the limits.")
+    parent = entry.value.get("parent")
+    return {
+        "name": name,
+        "side": ROLES[role],
+        "origin": tuple(v * scale for v in origin),
+        "direction": direction,
+        "travel": (low * scale, high * scale),
+        "parent": parent.upper() if isinstance(parent, str) else None,
+        "sequence": entry["sequence"].number() if "sequence" in entry else 0,
+    }
+
+
+def _joint(entry: Place):
+    """(origin, unit direction); both spellings of `joint`, and either order of the list."""
+    if "joint" not in entry:
+        raise entry.refuse("the axis has no joint", 'Give "joint": {"origin": [x, y, z], "axis": [x, y, z]}.')
+    joint = entry["joint"]
+    if isinstance(joint.value, dict):
+        joint.keys(("origin", "axis"), ("origin", "axis"))
+        origin, axis = joint["origin"].numbers(3), joint["axis"].numbers(3)
+    else:
+        first, second = (e.numbers(3) for e in joint.elements(2))
+        # the newer order is origin, axis; the older one the other way round: only the axis has length 1
+        older = math.hypot(*second) < 1e-6 or (abs(math.hypot(*first) - 1) < 1e-6 < abs(math.hypot(*second) - 1))
+        origin, axis = (second, first) if older else (first, second)
+    length = math.hypot(*axis)
+    if length < 1e-6:
+        raise joint.refuse("the axis has no direction", "Give a vector.")
+    return tuple(origin), tuple(v / length for v in axis)
+
+
+def _chain(linear, side: str, findings) -> tuple[str, ...]:
+    """Axes of one side from the bed outwards: a parent carries its children; then by sequence, then as listed."""
+    names = [k for k, a in linear.items() if a["side"] == side]
+
+    def depth(name):
+        seen, level = set(), 0
+        while name in linear and name not in seen:
+            seen.add(name)
+            name, level = linear[name]["parent"], level + 1
+        return level
+
+    keys = {k: (depth(k), linear[k]["sequence"]) for k in names}
+    if len(set(keys.values())) < len(names):
+        text = f"the file does not say which of {', '.join(names)} carries the other: as listed, from the bed outwards"
+        findings.append(Finding("warning", "chain-order", text))
+    return tuple(sorted(names, key=lambda k: keys[k]))
+
+
+def dumps(machine: Machine, base: str | None = None, source: str = "machine.fcm") -> str:
+    """The machine as *.fcm; with `base`, the text of an existing file, only its linear axes and name are replaced."""
+    data = parse(base, source).value if base is not None else _fresh()
+    if not isinstance(data, dict) or not isinstance(data.get("machine", {}), dict):
+        raise Refused("this is not a FreeCAD machine", source, "Save it from the machine editor of CAM.")
+    place = data.setdefault("machine", {})
+    scale = INCH if place.get("units") == "imperial" else 1.0
+    axes = place.setdefault("axes", {})
+    for chain, role in ((machine.workpiece_chain, "table_linear"), (machine.tool_chain, "head_linear")):
+        for i, k in enumerate(chain):
+            axis = machine.axes[k]
+            axes[k] = {
+                "max_velocity": 10000 / scale,
+                **(axes.get(k) or {}),
+                "type": "linear",
+                "role": role,
+                "parent": chain[i - 1] if i else None,
+                "sequence": i,
+                "joint": {"origin": [v / scale for v in axis.reference], "axis": list(axis.direction)},
+                "limits": {"min": axis.travel[0] / scale, "max": axis.travel[1] / scale},
+            }
+    place["name"] = machine.name
+    return json.dumps(data, indent=4, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _fresh() -> dict:
+    toolhead = {
+        "name": "Spindle",
+        "toolhead_type": "rotary",
+        "max_power_kw": 0,
+        "max_rpm": 0,
+        "min_rpm": 0,
+        "tool_change": "manual",
+    }
+    machine = {"name": "", "manufacturer": "", "description": "", "units": "metric", "axes": {}}
+    return {"machine": machine | {"toolheads": [toolhead]}, "version": 1}
+
+
+def lost(machine: Machine) -> tuple[str, ...]:
+    """What of the machine a *.fcm cannot hold."""
+    out = ["the tool point and the reference points of spindle and workpiece"]
+    if machine.tolerances:
+        out.append("tolerances")
+    if machine.fitted:
+        out.append("fitted errors")
+    if machine.effects:
+        out.append("effects")
+    return tuple(out)
