@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Documents without a window: open, find the machine, store results in a copy that keeps its looks.
+
+A document whose foreign objects did not come back whole is refused, because saving it would lose them.  The input is
+never written; the copy appears at once and complete, or not at all.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+import FreeCAD as App
+
+from ..core import workspace
+from ..core.machine import Machine
+from ..core.refusal import Refused
+from ..core.workspace import Sensitivity
+from ..formats import runs
+from . import (
+    objects,  # noqa: F401 - FreeCAD restores proxies only from modules that it knows, or that are loaded
+    results,
+    tables,
+)
+from .archive import Contents, keep_view, read_contents
+from .base import put
+from .extract import core_machine, objective, positions
+from .factory import effects_of, machine_of, make_effect
+from .refresh import refresh
+
+
+@dataclass
+class Opened:
+    """A document opened for a batch run.  `machine`: its Machine object.  `close()` forgets it without saving."""
+
+    path: Path
+    document: App.Document
+    machine: App.DocumentObject
+    contents: Contents
+
+    def close(self) -> None:
+        if self.document.Name in App.listDocuments():
+            App.closeDocument(self.document.Name)
+
+    def __enter__(self) -> Opened:
+        return self
+
+    def __exit__(self, *_) -> None:
+        self.close()
+
+
+def open_document(path) -> Opened:
+    """Open an FCStd file and find its machine.  Refuses, naming add-ons and objects."""
+    path = Path(path)
+    if not path.is_file():
+        raise Refused("cannot be read: no such file", str(path), "Check the name.")
+    contents = read_contents(path)
+    before = set(App.listDocuments())
+    try:
+        document = App.openDocument(str(path.absolute()))
+    except Exception as error:  # noqa: BLE001 - FreeCAD raises whatever the damaged part makes it raise
+        _close_new(before)
+        raise Refused(f"FreeCAD cannot open it ({str(error).strip()})", str(path), "Repair it in FreeCAD.") from None
+    try:
+        _check_restored(document, contents, path)
+        try:
+            machine = machine_of(document)
+        except Refused as error:
+            raise Refused(error.what, str(path), error.do) from None
+    except Refused:
+        _close_new(before)
+        raise
+    return Opened(path, document, machine, contents)
+
+
+def _close_new(before) -> None:
+    for name in set(App.listDocuments()) - before:
+        App.closeDocument(name)
+
+
+def _check_restored(document, contents: Contents, path) -> None:
+    lost = [f"{n} ({t})" for n, t in contents.types.items() if document.getObject(n) is None]
+    if lost:
+        raise Refused(
+            f"this FreeCAD does not know the type of {_some(lost)}",
+            str(path),
+            "Open it in the FreeCAD that made it, with the same workbenches.",
+        )
+    blocked: dict[str, list[str]] = {}
+    for name, module in contents.modules.items():
+        obj = document.getObject(name)
+        if getattr(obj, "Proxy", None) is None:
+            blocked.setdefault(module, []).append(obj.Label)
+    if blocked:
+        what = "; ".join(f"{_some(labels)} of {module!r}" for module, labels in blocked.items())
+        addons = ", ".join(sorted({module.split(".")[1 if module.startswith("freecad.") else 0] for module in blocked}))
+        raise Refused(
+            f"objects of a missing add-on did not come back, and saving would lose them: {what}",
+            str(path),
+            f"Install the add-on that provides {addons} in this FreeCAD.",
+        )
+
+
+def _some(names) -> str:
+    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+
+
+def load_machine(path) -> tuple[Machine, Opened]:
+    """(core machine at home, the opened document).  Close the second when done; refuses as `open_document`."""
+    opened = open_document(path)
+    try:
+        return core_machine(opened.machine), opened
+    except Refused as error:
+        opened.close()
+        raise error.at(str(path)) from None
+
+
+@contextlib.contextmanager
+def _source(source):
+    if isinstance(source, Opened):
+        yield source
+    else:
+        with open_document(source) as opened:
+            yield opened
+
+
+def sensitivity(path, folder, options: runs.Options = runs.Options(), picture: bytes | None = None) -> list[Path]:
+    """The verb `sensitivity` on a document: tables, report and DIR/sensitivity.FCStd appear together in `folder`.
+
+    What `options` leave open (objective, positions) is as set in the document.  Returns the paths.
+    """
+    core, opened = load_machine(path)
+    with opened:
+        core = options.machine(core)
+        where = options.positions(core, positions(opened.machine, core))
+        found = workspace.sensitivity(core, where, options.objective(objective(opened.machine)))
+
+        def add_document(work: Path):
+            write_sensitivity(opened, work / "sensitivity.FCStd", found, core)
+
+        if (Path(folder) / "sensitivity.FCStd").exists() and (Path(folder) / "sensitivity.FCStd").samefile(path):
+            raise Refused("would be overwritten by its own result", str(path), "Choose another folder.")
+        return runs.write(folder, core, found, options.angle_unit, picture, add_document)
+
+
+def write_sensitivity(source, path_out, result: Sensitivity, machine: Machine | None = None) -> Path:
+    """Write a copy of a document with the indices stored, to be coloured when it is opened in the window.
+
+    source : path or `Opened`.  machine : the core machine that was computed, where its tolerances or squareness differ
+    from the document's; the copy then takes those.
+    """
+    with _source(source) as opened:
+        obj = opened.machine
+        if machine is not None:
+            _take_model(obj, machine)
+        found = results.store(obj, result, machine or core_machine(obj))
+        put(found, "Coloured", True)
+        return save_copy(opened, path_out)
+
+
+def write_augmented(source, path_out, machine: Machine) -> Path:
+    """Write a copy with what tracing found: fitted errors, declared degrees, and the effects under their bodies."""
+    with _source(source) as opened:
+        obj = opened.machine
+        _take_model(obj, machine)
+        obj.Declared = {symbol: str(int(degree)) for symbol, degree in machine.declared.items()}
+        put(obj, "Fitted", json.dumps(_json_ready(machine.fitted)) if machine.fitted else "")
+        for old in effects_of(obj):
+            opened.document.removeObject(old.Name)
+        for effect in machine.effects:
+            make_effect(obj, effect)
+        refresh(obj)
+        return save_copy(opened, path_out)
+
+
+def _take_model(obj, machine: Machine) -> None:
+    if obj.Squareness != machine.squareness:
+        obj.Squareness = machine.squareness
+    if dict(machine.tolerances) != tables.read_tolerances(obj):
+        tables.write_tolerances(obj, dict(machine.tolerances))
+
+
+def _json_ready(value):
+    from .base import plain
+
+    if hasattr(value, "items"):
+        return {str(k): _json_ready(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_json_ready(v) for v in value]
+    return plain(value)
+
+
+def save_copy(opened: Opened, path_out) -> Path:
+    """Save the opened document as `path_out`, whole or not at all, with the view data of the original.
+
+    Without view data in the original the machine is marked `ViewPending`: the window shows and colours it on opening.
+    """
+    path_out = Path(path_out)
+    if path_out.exists() and path_out.samefile(opened.path):
+        raise Refused("would overwrite its own input", str(path_out), "Choose another folder.")
+    put(opened.machine, "ViewPending", not opened.contents.has_view)
+    try:
+        path_out.parent.mkdir(parents=True, exist_ok=True)
+        handle, name = tempfile.mkstemp(prefix=f".{path_out.stem}-", suffix=".FCStd", dir=path_out.parent)
+    except OSError as error:
+        raise Refused(
+            f"cannot be written: {error.strerror or error}", str(path_out), "Choose another place."
+        ) from None
+    os.close(handle)
+    work = Path(name)
+    try:
+        # not saveCopy: links to other documents are stored relative to the file, and only saveAs adapts them
+        opened.document.saveAs(str(work))
+        opened.document.Label = path_out.stem
+        opened.document.save()
+        keep_view(opened.path, work)
+        work.chmod(0o666 & ~_umask())
+        work.replace(path_out)
+    finally:
+        for left in work.parent.glob(f"{work.stem}*"):
+            left.unlink()
+    return path_out
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
