@@ -47,7 +47,7 @@ def small_problem() -> list[str]:
     for name, (lower, upper) in LIMITS.items():
         right = sobol.indices(SMALL, moments([Tolerance(a, b) for a, b in zip(lower, upper)]))
         printed, variance = sobol.paper_eq18(SMALL, lower, upper)
-        rest = right.variance[0] * np.array([1, 1, 1]) - right.variance[0] * right.total[0]
+        rest = right.variance[0] * (1 - right.total[0])  # V(E(Y|X_~j))
         lines += [
             "",
             f"{name}: X1, X2, X3 uniform on " + ", ".join(f"[{a:g}, {b:g}]" for a, b in zip(lower, upper)),
@@ -57,6 +57,12 @@ def small_problem() -> list[str]:
         for j in range(3):
             s, t, p = right.first[0, j], right.total[0, j], printed[j]
             lines.append(f"  X{j + 1:<3}{s:10.4f}{t:10.4f}{rest[j]:16.4f}{p:12.4f}")
+    lower, upper = LIMITS["asymmetric"]
+    only_t1 = SMALL * np.array([[1], [0], [0]])
+    right = sobol.indices(only_t1, moments([Tolerance(a, b) for a, b in zip(lower, upper)]))
+    printed, variance = sobol.paper_eq18(only_t1, lower, upper)
+    own, half = right.first[0, 1] * right.variance[0], (1 - printed[1]) * variance
+    lines += ["", f"asymmetric, T1 alone: V(E(T1^2|X2)) = {own:.4f}; eq. (16b) gives {half:.4f}"]
     return lines
 
 
@@ -88,11 +94,11 @@ def finding() -> list[str]:
     """The paper's finding over the workspace, with both conventions."""
     results = {c: workspace.sensitivity(machine(c)) for c in ("direction", "carried")}
     lines = ["Mean S^T over the workspace (quadrature of 8 x 8 x 8), paper's tolerances", ""]
-    lines.append(f"  {'':4}{'squareness as direction (ISO)':32}{'squareness carried':32}")
+    lines.append(f"  {'':4}{'squareness as direction (ISO)':32}{'squareness carried'}")
     ranked = {c: sorted(zip(r.total, r.symbols), reverse=True) for c, r in results.items()}
     for i in range(8):
         cells = [f"{s:6}{t:8.4f}" for t, s in (ranked[c][i] for c in results)]
-        lines.append(f"  {i + 1:<4}{cells[0]:32}{cells[1]:32}")
+        lines.append(f"  {i + 1:<4}{cells[0]:32}{cells[1]}")
     lines += ["", f"  {'largest of its kind':24}{'direction':>20}{'carried':>20}"]
     for kind, symbols in KINDS.items():
         cells = []

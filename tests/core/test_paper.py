@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from sensworkbench.core import sobol, synthesis
+from benchmarks import paper_comparison
+from sensworkbench.core import sobol, synthesis, workspace
 from sensworkbench.core.distributions import moments, paper_tolerance
 from sensworkbench.core.errors import PAPER_SYMBOLS
 from tests.core.support import decomposition, machine, uniform
@@ -148,3 +150,40 @@ def test_right_total_index_is_one_minus_the_variance_of_the_mean_given_all_other
         others = weight.sum(axis=j)
         v = (others * given_others**2).sum() - (others * given_others).sum() ** 2
         assert found.total[0, j] == pytest.approx(1 - v / variance, rel=1e-10)
+
+
+# -- the paper's finding --------------------------------------------------------------------------------------------
+@pytest.fixture(scope="module")
+def over_the_workspace():
+    found = {c: workspace.sensitivity(paper_comparison.machine(c)) for c in ("direction", "carried")}
+    return {c: dict(zip(f.symbols, f.total)) for c, f in found.items()}
+
+
+def test_carried_squareness_of_z_to_y_comes_first(over_the_workspace):
+    table = over_the_workspace["carried"]
+    assert max(table, key=table.get) == "A0Z"
+    assert table["A0Z"] == pytest.approx(0.25, abs=0.01)
+
+
+def test_squareness_as_direction_stays_below_straightness(over_the_workspace):
+    table = over_the_workspace["direction"]
+    largest = max(table[s] for s in paper_comparison.SQUARENESS)
+    assert largest < min(table[s] for s in paper_comparison.STRAIGHTNESS)
+
+
+@pytest.mark.parametrize("convention", ["direction", "carried"])
+def test_angles_dominate_and_linear_displacement_and_spindle_hardly_matter(over_the_workspace, convention):
+    table = over_the_workspace[convention]
+    small = max(table[s] for s in ("EXX", "EYY", "EZZ", "EXT", "EYT", "EZT"))
+    angles = [table[s] for s in paper_comparison.KINDS["angular"]]
+    assert small < 0.02 < 0.1 < np.mean(angles)
+    assert max(angles) > max(table[s] for s in paper_comparison.STRAIGHTNESS)
+
+
+def test_documentation_quotes_what_the_comparison_prints():
+    """docs/theory.md shows the printed tables word for word."""
+    text = (Path(__file__).resolve().parents[2] / "docs" / "theory.md").read_text(encoding="utf-8")
+    for part in (paper_comparison.small_problem, paper_comparison.at_a_position, paper_comparison.finding):
+        for line in part():
+            if "estimated error" not in line:
+                assert line.rstrip() in text, line
