@@ -69,6 +69,27 @@ def parser() -> argparse.ArgumentParser:
     verb.add_argument("--picture", metavar="PNG", help="picture of the machine for the report")
     verb.set_defaults(run=_sensitivity)
 
+    verb = verbs.add_parser("trace", help="from readings to the effect that the model lacks", allow_abbrev=False)
+    verb.add_argument(
+        "machine", metavar="MACHINE", help="machine.json, or a FreeCAD document (.FCStd) that holds a machine"
+    )
+    verb.add_argument("readings", metavar="MEASURED.csv", help="what was measured")
+    verb.add_argument(
+        "--out", metavar="DIR", required=True, help="folder for trace.json, report.html, machine_augmented.*"
+    )
+    verb.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
+    verb.add_argument("--seed", metavar="N", type=_whole, default=0, help="of the permutations (default 0)")
+    verb.add_argument("--permutations", metavar="N", type=_whole, default=199, help="behind each p (default 199)")
+    verb.set_defaults(run=_trace)
+
+    verb = verbs.add_parser("predict", help="the error at new places and conditions", allow_abbrev=False)
+    verb.add_argument("machine", metavar="MACHINE_AUGMENTED", help="what trace wrote")
+    verb.add_argument("positions", metavar="POSITIONS.csv", help="the columns of measured.csv without readings")
+    verb.add_argument("--out", metavar="FILE", required=True, help="the positions with ex_um, ey_um, ez_um")
+    verb.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
+    verb.add_argument("--no-alignment", action="store_true", help="leave out the fitted alignment and offsets")
+    verb.set_defaults(run=_predict)
+
     verb = verbs.add_parser("demo", help="an example machine from design to report", allow_abbrev=False)
     verb.add_argument("--out", metavar="DIR", required=True, help="folder for everything it makes")
     verb.set_defaults(run=_demo)
@@ -93,6 +114,12 @@ def _counts(text: str):
     if len(values) not in (1, 3) or any(not 1 <= v <= 10**6 for v in values):
         raise argparse.ArgumentTypeError(f"{text!r} is not a number of positions, N or NX,NY,NZ")
     return values[0] if len(values) == 1 else tuple(values)
+
+
+def _whole(text: str) -> int:
+    if not text.isascii() or not text.isdigit() or len(text) > 9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number")
+    return int(text)
 
 
 def _joined(argv: Sequence[str]) -> list[str]:
@@ -189,6 +216,80 @@ def sensitivity_options(arguments):
 
     names = ("at", "grid", "quadrature", "weights", "output", "signed", "squareness", "tolerances", "angle_unit")
     return Options(**{n: getattr(arguments, n) for n in names})
+
+
+# -- trace and predict -----------------------------------------------------------------------------------------------
+def _trace(arguments) -> int:
+    if is_document(arguments.machine) and not in_freecad():
+        return _hand_over(arguments)
+    from sensworkbench.formats import machine_json, readings_csv, trace_run
+
+    readings = readings_csv.load(arguments.readings, _mapping(arguments))
+    if not is_document(arguments.machine):
+        outcome = _traced(machine_json.load(arguments.machine), readings, arguments)
+        paths = trace_run.write(arguments.out, outcome)
+    else:
+        batch = importlib.import_module("sensworkbench.document.batch")
+        machine, opened = batch.load_machine(arguments.machine)
+        with opened:
+            outcome = _traced(machine, readings, arguments)
+
+            def add_document(work, augmented):
+                batch.write_augmented(opened, work / "machine_augmented.FCStd", augmented)
+
+            if _same_file(Path(arguments.out) / "machine_augmented.FCStd", arguments.machine):
+                raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
+            paths = trace_run.write(arguments.out, outcome, add_document)
+    _say(outcome.report["verdict"])
+    for effect in outcome.report["effects"]:
+        _say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
+    for path in paths:
+        _say(str(path))
+    return DONE
+
+
+def _traced(machine, readings, arguments):
+    from sensworkbench.closedloop.trace import trace
+
+    return trace(machine, readings, seed=arguments.seed, permutations=max(99, arguments.permutations))
+
+
+def _mapping(arguments):
+    from sensworkbench.formats import readings_csv
+
+    return readings_csv.load_mapping(arguments.mapping) if arguments.mapping else None
+
+
+def _same_file(one, other) -> bool:
+    return Path(one).exists() and Path(one).samefile(other)
+
+
+def _predict(arguments) -> int:
+    if is_document(arguments.machine) and not in_freecad():
+        return _hand_over(arguments)
+    from sensworkbench.closedloop import predict
+    from sensworkbench.formats import machine_json, readings_csv
+
+    mapping = _mapping(arguments)
+    positions = readings_csv.load_positions(arguments.positions, mapping)
+    if is_document(arguments.machine):
+        batch = importlib.import_module("sensworkbench.document.batch")
+        machine, opened = batch.load_machine(arguments.machine)
+        opened.close()
+    else:
+        machine = machine_json.load(arguments.machine)
+    for given in (arguments.positions, arguments.machine):
+        if _same_file(arguments.out, given):
+            raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
+    try:
+        error = predict.predict(machine, positions, alignment=not arguments.no_alignment)
+    except Refused as refused:  # what is missing, is missing from this file
+        place = arguments.positions if machine.fitted is not None else arguments.machine
+        raise refused.at(str(place)) from None
+    outside = predict.extrapolated(machine, positions)
+    readings_csv.save_predicted(arguments.out, arguments.positions, positions, error, outside, mapping)
+    _say(str(arguments.out))
+    return DONE
 
 
 # -- demo ------------------------------------------------------------------------------------------------------------

@@ -23,7 +23,7 @@ from .files import reason, staged
 class Options:
     """What a sensitivity run is asked for; None: the machine's own, or the default.
 
-    at : (x, y, z) mm.  grid, quadrature : positions per axis, an int or three.  weights, output, signed : the objective.
+    at : (x, y, z) mm.  grid, quadrature : positions per axis, an int or three.  weights, output, signed : objective.
     squareness : convention.  tolerances : a file that overrides the machine's.  angle_unit : "urad" or "arcsec".
     """
 
