@@ -11,11 +11,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from sensworkbench.closedloop.bank import Shape
+from sensworkbench.closedloop.effects import effect_motion
+from sensworkbench.closedloop.predict import predict
+from sensworkbench.closedloop.search import vectors_of
 from sensworkbench.core.drivers import Effect, effect_values
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
 from sensworkbench.core.machine import Axis, Machine, structure_chains
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import volumetric_error
+from sensworkbench.formats import readings_csv
 from sensworkbench.formats.exchange import etalon, isg
 from sensworkbench.formats.exchange.axis_tables import axis_tables
 from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
@@ -268,6 +273,34 @@ def test_carried_squareness_is_tilt_of_direction_and_constant_rotations():
         assert same.squareness == "direction"
         assert np.abs(error(m, q, 1.0, 3.0) - error(machine(structure), q, 1.0, 3.0)).max() > 1e-3
         assert error(same, q, 1.0, 3.0) == pytest.approx(error(m, q, 1.0, 3.0), abs=1e-12)
+
+
+@pytest.mark.parametrize("fmt", sorted(FORMATS))
+def test_the_predictor_of_the_program_tells_the_error_after_compensation(tmp_path, fmt):
+    m = machine(effects=(BACKLASH, SAG, PITCH))
+    path = tmp_path / "positions.csv"
+    q = np.round(places(20), 3)
+    path.write_text("x_mm,y_mm,z_mm,dir_x\n" + "\n".join(f"{x},{y},{z},-1" for x, y, z in q))
+    positions = readings_csv.load_positions(path)
+    before, after = predict(m, positions), predict(after_compensation(m, fmt), positions)
+    assert before == pytest.approx(error(m, q, -1.0), abs=1e-12)
+    assert after == pytest.approx(error(after_compensation(m, fmt), q, -1.0), abs=1e-12)
+    gain = (before**2).sum() - (after**2).sum()
+    assert gain > 0
+
+
+def test_a_free_form_of_positions_is_a_table_too():
+    shape = Shape("x", "smooth", {"bumps": (5,), "domains": ((-200.0, 200.0),)})
+    height = np.linspace(-1, 2, vectors_of(shape, {"x": np.zeros(2)}).shape[1]).tolist()
+    wavy = effect("wavy", "EZX", "x", "smooth", coefficient=height, bumps=[5.0], domains=[-200.0, 200.0])
+    m = machine(fitted={}, effects=[wavy])
+    q = places()
+    along = np.zeros_like(q)
+    along[:, 2] = effect_motion(wavy, {"x": q[:, 0]})
+    assert np.ptp(along) > 1e-3
+    assert siemens_shift(write(m, "siemens").files)(q, 1) == pytest.approx(-along, abs=5e-5)
+    (table,) = isg.loads(next(iter(write(m, "isg").files.values()))).tables
+    assert np.interp(q[:, 0], table.points[:, 0], table.values) == pytest.approx(along[:, 2], abs=5e-5)
 
 
 # -- ISG and Etalon --------------------------------------------------------------------------------------------------

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sensworkbench.core.drivers import effect_values
+from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.core.errors import AXES, SQUARENESS_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 
@@ -84,7 +84,7 @@ def _contributions(machine: Machine, coverage: Coverage) -> dict[tuple[str, str]
 
 def _effect(effect, source, q, direction):
     name = source.lower()
-    return effect_values(effect, {name: q, f"dir_{name}": np.full_like(q, direction)})
+    return effect_motion(effect, {name: q, f"dir_{name}": np.full_like(q, direction)})
 
 
 def _sampled(pair, functions, travel, limit: int) -> AxisTable:

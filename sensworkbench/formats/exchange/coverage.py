@@ -25,7 +25,7 @@ FORMATS = {
 }
 POSITION = {"x": "X", "y": "Y", "z": "Z"}
 DIRECTION = {"dir_x": "X", "dir_y": "Y", "dir_z": "Z"}
-SMOOTH = ("linear", "polynomial", "periodic", "power")
+SMOOTH = ("linear", "polynomial", "periodic", "power", "smooth")
 
 
 @dataclass(frozen=True)

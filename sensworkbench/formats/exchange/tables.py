@@ -13,8 +13,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.readings import Finding
-from sensworkbench.core.drivers import Effect, driver_name, effect_values, to_domain
+from sensworkbench.core.drivers import Effect, driver_name, to_domain
 from sensworkbench.core.errors import AXES, SQUARENESS, SQUARENESS_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
@@ -98,7 +99,7 @@ def _sampled(machine, symbol, arguments, effects, constant) -> ErrorTable:
         columns = {k.lower(): points[:, i] for i, k in enumerate(arguments)}
         out = own(columns[c.body.lower()]) if c.body in arguments else np.full(len(points), own.coefficients[0])
         for effect, _ in effects:
-            out = out + effect_values(effect, columns)
+            out = out + effect_motion(effect, columns)
         return out
 
     travel = [machine.axes[k].travel for k in arguments]
