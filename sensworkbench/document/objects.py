@@ -11,7 +11,7 @@ from ..core.distributions import DISTRIBUTIONS  # noqa: F401 - the values that `
 from ..core.drivers import SHAPES
 from ..core.machine import SQUARENESS_CONVENTIONS
 from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
-from .base import Property, SensObject, internal, quiet, result
+from .base import Property, SensObject, internal, put, quiet, result
 
 AUTOMATIC = "Automatic"
 DIRECTION_CHOICES = (AUTOMATIC, "Local X", "Local Y", "Local Z")
@@ -178,12 +178,19 @@ class SensitivityObject(SensObject):
         result("StringList", "Units", "Unit each is shown in"),
         result("StringList", "Distributions", "Distribution of each error"),
         internal("String", "Fingerprint", "Digest of the machine that was computed"),
+        internal("FloatList", "Moments", "MeanSquare, Variance and EstimatedError in full (files keep 16 decimals of a "
+                                         "single number, all digits of a list)"),
         internal("Bool", "Coloured", "The parts carry the colours of this result", False),
         internal("String", "OriginalColours", "How the parts looked before, as the window wrote it"),
     )
 
     def execute(self, obj):
         """Nothing: indices are computed on command, never by a recompute."""
+
+    def onDocumentRestored(self, obj):
+        super().onDocumentRestored(obj)
+        for name, value in zip(("MeanSquare", "Variance", "EstimatedError"), obj.Moments):
+            put(obj, name, value)
 
 
 class EffectObject(SensObject):

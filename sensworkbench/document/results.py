@@ -45,9 +45,10 @@ def store(machine, found: workspace.Sensitivity, core: Machine):
     put(obj, "Bodies", found.bodies)
     for name, attribute in PER_ERROR.items():
         put(obj, name, getattr(found, attribute))
-    put(obj, "MeanSquare", float(found.mean_square))
-    put(obj, "Variance", float(found.variance))
-    put(obj, "EstimatedError", -1.0 if found.estimated_error is None else float(found.estimated_error))
+    estimated = -1.0 if found.estimated_error is None else found.estimated_error
+    put(obj, "Moments", [found.mean_square, found.variance, estimated])
+    for name, value in zip(("MeanSquare", "Variance", "EstimatedError"), obj.Moments):
+        put(obj, name, value)
     put(obj, "Output", found.objective.output)
     put(obj, "Weights", found.objective.weights)
     put(obj, "Signed", bool(found.objective.signed))
