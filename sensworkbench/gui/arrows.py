@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Labelled arrows in the 3D view: axes of motion, reference points, Abbe offsets with their length in mm.
+
+They are drawn in front of the parts, in document coordinates, and neither picked nor counted when the view is fitted.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pivy import coin
+
+from .legend import unbounded
+from .picture import label, set_image
+
+AXIS_COLOURS = {"X": (0.83, 0.18, 0.16), "Y": (0.16, 0.58, 0.22), "Z": (0.12, 0.40, 0.84)}
+OFFSET_COLOUR = (0.93, 0.50, 0.05)
+POINT_COLOUR = (0.55, 0.15, 0.65)
+
+
+@dataclass(frozen=True)
+class Arrow:
+    """From `start` to `end` (mm, document coordinates), or a point where they coincide.
+
+    `text` stands at `at` of the way, above and to the right of it (`below`: below).
+    """
+
+    start: tuple[float, float, float]
+    end: tuple[float, float, float]
+    colour: tuple[float, float, float]
+    text: str = ""
+    at: float = 0.5
+    head: bool = True
+    below: bool = False
+
+
+def _shaft(start, end, colour, head: bool, thickness: float):
+    node = coin.SoSeparator()
+    material = coin.SoMaterial()
+    material.diffuseColor = colour
+    material.emissiveColor = tuple(0.6 * c for c in colour)
+    node.addChild(material)
+    a, b = coin.SbVec3f(*start), coin.SbVec3f(*end)
+    along = b - a
+    length = along.length()
+    if length < 1e-9:
+        spot = coin.SoTranslation()
+        spot.translation = a
+        ball = coin.SoSphere()
+        ball.radius = 2.2 * thickness
+        node.addChild(spot)
+        node.addChild(ball)
+        return node
+    move = coin.SoTransform()
+    move.translation = a
+    move.rotation = coin.SbRotation(coin.SbVec3f(0, 1, 0), along)
+    node.addChild(move)
+    tip = min(7 * thickness, 0.4 * length) if head else 0.0
+    body = coin.SoTranslation()
+    body.translation = (0, (length - tip) / 2, 0)
+    rod = coin.SoCylinder()
+    rod.radius, rod.height = thickness, length - tip
+    node.addChild(body)
+    node.addChild(rod)
+    if head:
+        up = coin.SoTranslation()
+        up.translation = (0, length / 2, 0)
+        cone = coin.SoCone()
+        cone.bottomRadius, cone.height = 2.6 * thickness, tip
+        node.addChild(up)
+        node.addChild(cone)
+    return node
+
+
+def _text(arrow: Arrow):
+    node = coin.SoSeparator()
+    place = coin.SoTranslation()
+    place.translation = tuple(a + (b - a) * arrow.at for a, b in zip(arrow.start, arrow.end))
+    image = coin.SoImage()
+    image.horAlignment = coin.SoImage.LEFT
+    image.vertAlignment = coin.SoImage.TOP if arrow.below else coin.SoImage.BOTTOM
+    set_image(image, label(arrow.text, arrow.colour))
+    node.addChild(place)
+    node.addChild(image)
+    return node
+
+
+class Arrows:
+    """The arrows' nodes.  `root` goes into the scene graph; `show` replaces what is drawn."""
+
+    def __init__(self):
+        self.root = unbounded()
+        self._note = coin.SoAnnotation()
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE
+        self._content = coin.SoSeparator()
+        for child in (style, coin.SoResetTransform(), self._content):
+            self._note.addChild(child)
+        self.root.addChild(self._note)
+        self.shown: tuple[Arrow, ...] = ()
+
+    def show(self, arrows, size: float) -> None:
+        """size : extent of the machine in mm, to which the thickness of the arrows is matched."""
+        arrows = tuple(arrows)
+        if arrows == self.shown:
+            return
+        self.shown = arrows
+        self._content.removeAllChildren()
+        for arrow in arrows:
+            self._content.addChild(_shaft(arrow.start, arrow.end, arrow.colour, arrow.head, max(size, 1.0) / 260))
+        for arrow in arrows:  # the texts last, in front of every arrow
+            if arrow.text:
+                self._content.addChild(_text(arrow))
+
+    def clear(self) -> None:
+        self.show((), 1.0)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a result looks like: its parts' colours, legend and error map, made from its properties and view properties.
+
+`update` may be called at any time and changes only what differs; a result that is not `Coloured` leaves parts alone.
+"""
+
+from __future__ import annotations
+
+from ..core.refusal import Refused
+from ..document import factory
+from ..document.base import alive, kind_of
+from . import colours
+from .colormap import Scale, automatic
+from .legend import LegendText
+from .qt import translate
+from .texts import body_name, objective_text, positions_text, square_text
+from .viewproviders import COLOUR_BY, ViewProviderSensitivity
+
+
+def values(result) -> dict[str, float]:
+    """Body -> the index that its parts show."""
+    chosen = getattr(result, COLOUR_BY[result.ViewObject.ColourBy])
+    return dict(zip(result.Bodies, chosen))
+
+
+def scale(result) -> Scale:
+    """The range of colours: as set by hand, else from 0 to just above the largest value."""
+    view = result.ViewObject
+    if view.AutomaticRange:
+        return automatic(values(result).values(), view.ColourMap)
+    return Scale(float(view.RangeLower), float(view.RangeUpper), view.ColourMap)
+
+
+def title(result) -> str:
+    return {
+        "Mean": translate("Sens", "Total index Sᵀ of the component"),
+        "Largest": translate("Sens", "Largest total index Sᵀ of the component"),
+        "Variance weighted": translate("Sens", "Variance-weighted total index Sᵀ"),
+        "First order": translate("Sens", "First-order index S of the component"),
+    }[result.ViewObject.ColourBy]
+
+
+def legend_text(machine, result) -> LegendText:
+    lines = [
+        translate("Sens", "Unit: 1 (share of the variance)"),
+        positions_text(result),
+        objective_text(result),
+        square_text(result),
+    ]
+    if result.Stale:
+        lines.append(translate("Sens", "Out of date: the machine has changed"))
+    marks = tuple((body_name(machine, b), v) for b, v in values(result).items())
+    return LegendText(title(result), "", "\n".join(lines), translate("Sens", "no index"), marks)
+
+
+def position_legend(machine, totals: dict[str, float], position: dict[str, float]) -> LegendText:
+    """The legend while the colours are those of one position."""
+    where = translate("Sens", "At X {x}, Y {y}, Z {z} mm").format(
+        **{k.lower(): f"{v:.1f}" for k, v in position.items()}
+    )
+    marks = tuple((body_name(machine, b), v) for b, v in totals.items())
+    lines = (translate("Sens", "Unit: 1 (share of the variance)"), where)
+    return LegendText(
+        translate("Sens", "Total index Sᵀ of the component"), "", "\n".join(lines), translate("Sens", "no index"), marks
+    )
+
+
+def update(result) -> None:
+    """Bring colours, legend and error map of a result up to date."""
+    machine = factory.owner_machine(result)
+    view = result.ViewObject
+    proxy = view.Proxy
+    if machine is None or not isinstance(proxy, ViewProviderSensitivity) or not hasattr(view, "ShowErrorMap"):
+        return
+    if result.Coloured and result.Bodies:
+        try:
+            colours.apply(machine, result, values(result), scale(result))
+        except Refused:
+            pass  # the machine's Problem says what is wrong; the last colours stay
+    if result.Coloured and result.Bodies and view.ShowLegend:
+        proxy.legend.show(legend_text(machine, result), scale(result), view.LegendCorner)
+    else:
+        proxy.legend.hide()
+    if view.ShowErrorMap:
+        try:
+            proxy.map.show(machine, view.ColourMap, "Upper left" if view.LegendCorner == "Lower left" else "Lower left")
+        except Refused:
+            proxy.map.hide()
+    else:
+        proxy.map.hide()
+    if result.Coloured and result.Stale:
+        from .live import wake
+
+        wake(machine)
+
+
+def results(doc) -> list:
+    return [o for o in doc.Objects if kind_of(o) == "Sensitivity" and alive(o)]

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The report of a stored result: HTML with a picture of the view, JSON, CSV; and the picture alone."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from ..core.refusal import Refused
+from ..document import extract, factory, results
+from ..formats import report, sensitivity_out
+from ..formats.files import staged
+from . import messages, settings
+from .qt import pump, translate
+
+PICTURE = "view.png"
+
+
+def view_of(doc):
+    """A 3D view of a document, or None."""
+    import FreeCADGui as Gui
+
+    views = Gui.getDocument(doc.Name).mdiViewsOfType("Gui::View3DInventor")
+    return views[0] if views else None
+
+
+def picture(doc, width: int = 1600, height: int = 1100, background: str = "White") -> bytes | None:
+    """PNG of the 3D view with its legend, or None without a view."""
+    view = view_of(doc)
+    if view is None:
+        return None
+    pump()
+    handle, path = tempfile.mkstemp(suffix=".png")
+    os.close(handle)
+    try:
+        view.saveImage(path, width, height, background)
+        return Path(path).read_bytes()
+    finally:
+        os.unlink(path)
+
+
+def export(machine, folder) -> list[Path]:
+    """Write report.html, sensitivity.json, sensitivity.csv and view.png; returns their paths."""
+    result = factory.sensitivity_of(machine)
+    if result is None or not result.Symbols:
+        raise Refused(
+            translate("Sens", "there is no result yet"),
+            machine.Label,
+            translate("Sens", "Compute the sensitivity first."),
+        )
+    if result.Stale:
+        raise Refused(
+            translate("Sens", "the result is out of date"), result.Label,
+            translate("Sens", "Compute the sensitivity again, then export."),
+        )  # fmt: skip
+    core = extract.core_machine(machine)
+    data = sensitivity_out.to_dict(core, results.load(machine, result), settings.get("AngleUnit"))
+    png = picture(machine.Document)
+    contents = {
+        "sensitivity.json": sensitivity_out.dumps(data).encode(),
+        "sensitivity.csv": sensitivity_out.csv_text(data).encode(),
+        "report.html": report.sensitivity_report(data, png).encode(),
+    }
+    if png is not None:
+        contents[PICTURE] = png
+    with staged(folder) as work:
+        for name, content in contents.items():
+            (work / name).write_bytes(content)
+    return [Path(folder) / name for name in contents]
+
+
+def ask_and_export(machine) -> None:
+    folder = messages.ask_folder(translate("Sens", "Folder for the report"))
+    if folder:
+        paths = export(machine, folder)
+        messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+
+
+def save_picture(doc) -> None:
+    """Ask for a name and save the view with its legend."""
+    path = messages.ask_save(translate("Sens", "Save picture"), "PNG (*.png)", "sensitivity.png")
+    if path:
+        from ..formats.files import write_bytes
+
+        content = picture(doc)
+        if content is None:
+            raise Refused(translate("Sens", "the document has no 3D view"), doc.Label)
+        write_bytes(path, content)
+        messages.status(translate("Sens", "Written: {files}").format(files=path))

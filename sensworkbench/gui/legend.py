@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The legend in the 3D view: title, colour bar, range, unit, ticks, what is grey.
+
+It is part of the scene graph (an SoAnnotation with its own camera), so it appears in every view of the document and in
+saved images.  It has no extent of its own: fitting the view and picking ignore it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from pivy import coin
+
+from .colormap import NO_DATA, Scale, colour
+from .picture import blank, font, painter, plate, set_image, text_width
+from .qt import Qt, QtCore, QtGui
+
+REFERENCE_HEIGHT = 760.0  # pixels of a view in which the legend has its natural size
+
+
+@dataclass(frozen=True)
+class LegendText:
+    """What the legend says.  marks : (name, value) of each coloured component, shown beside the bar."""
+
+    title: str
+    unit: str = ""
+    subtitle: str = ""
+    no_data: str = ""
+    marks: tuple[tuple[str, float], ...] = field(default_factory=tuple)
+
+
+def number(value: float) -> str:
+    """A number as the legend shows it: three significant digits, no exponent for usual sizes."""
+    if value == 0:
+        return "0"
+    return f"{value:.3g}" if 1e-3 <= abs(value) < 1e5 else f"{value:.2e}"
+
+
+def paint(text: LegendText, scale: Scale, size: float = 1.0):
+    """The legend as a QImage; size 1 is for a view about 760 pixels high."""
+    big, small = font(14 * size, bold=True), font(12 * size)
+    line = QtGui.QFontMetrics(small).height()
+    head = [(big, text.title)] + [(small, t) for t in text.subtitle.split("\n") if t]
+    bar_height, bar_width, pad = 190 * size, 22 * size, 10 * size
+    ticks = scale.ticks(5)
+    unit = f" {text.unit}" if text.unit else ""
+    labels = [number(v) + unit for v in ticks]
+    left_width = max(text_width(small, t) for t in labels) + 8 * size
+    marks = _spread([(scale.fraction(v), name, v) for name, v in text.marks], bar_height, line)
+    right_width = max([text_width(small, f"{n}  {number(v)}") for _, _, n, v in marks], default=0) + 16 * size
+    width = max(
+        left_width + bar_width + right_width, max(text_width(f, t) for f, t in head), text_width(small, text.no_data) + line
+    ) + 2 * pad  # fmt: skip
+    head_height = sum(QtGui.QFontMetrics(f).height() for f, _ in head)
+    foot = line + 8 * size if text.no_data else 0
+    height = pad + head_height + line + bar_height + line * 0.7 + foot + pad * 0.6
+    image = blank(width, height)
+    pen = painter(image)
+    plate(pen, image.width(), image.height())
+    ink = QtGui.QColor(25, 32, 40)
+    pen.setPen(ink)
+    y = pad * 0.8
+    for letters, t in head:
+        pen.setFont(letters)
+        h = QtGui.QFontMetrics(letters).height()
+        pen.drawText(QtCore.QRectF(pad, y, width, h), Qt.AlignLeft | Qt.AlignVCenter, t)
+        y += h
+    top, left = y + line * 0.6, pad + left_width
+    _bar(pen, QtCore.QRectF(left, top, bar_width, bar_height), scale)
+    pen.setFont(small)
+    for v, t in zip(ticks, labels):
+        ty = top + bar_height * (1 - min(max(scale.fraction(v), 0.0), 1.0))
+        pen.setPen(QtGui.QPen(ink, max(1.0, size)))
+        pen.drawLine(QtCore.QPointF(left - 4 * size, ty), QtCore.QPointF(left, ty))
+        pen.drawText(QtCore.QRectF(pad, ty - line / 2, left_width - 7 * size, line), Qt.AlignRight | Qt.AlignVCenter, t)
+    for at, shown, name, value in marks:
+        ay, sy = top + bar_height * (1 - at), top + shown
+        pen.setPen(QtGui.QPen(ink, max(1.0, size)))
+        pen.drawLine(QtCore.QPointF(left + bar_width, ay), QtCore.QPointF(left + bar_width + 9 * size, sy))
+        pen.drawText(
+            QtCore.QRectF(left + bar_width + 12 * size, sy - line / 2, right_width, line),
+            Qt.AlignLeft | Qt.AlignVCenter, f"{name}  {number(value)}",
+        )  # fmt: skip
+    if text.no_data:
+        fy = height - foot - pad * 0.3
+        pen.fillRect(QtCore.QRectF(pad, fy + 2, line - 4, line - 4), QtGui.QColor.fromRgbF(*NO_DATA))
+        pen.setPen(ink)
+        pen.drawText(QtCore.QRectF(pad + line, fy, width, line), Qt.AlignLeft | Qt.AlignVCenter, text.no_data)
+    pen.end()
+    return image
+
+
+def _bar(pen, box, scale: Scale) -> None:
+    steps = int(box.height())
+    for i in range(steps):
+        f = 0.5 if not scale.upper > scale.lower else 1 - (i + 0.5) / steps
+        pen.fillRect(
+            QtCore.QRectF(box.x(), box.y() + i, box.width(), 1.5), QtGui.QColor.fromRgbF(*colour(f, scale.name))
+        )
+    pen.setPen(QtGui.QPen(QtGui.QColor(25, 32, 40), 1))
+    pen.setBrush(Qt.NoBrush)
+    pen.drawRect(box)
+
+
+def _spread(marks, height: float, line: float):
+    """(fraction, shown offset from the top, name, value), pushed apart so that the texts do not overlap."""
+    known = sorted(((f, n, v) for f, n, v in marks if f is not None), reverse=True)
+    places = [height * (1 - min(max(f, 0.0), 1.0)) for f, _, _ in known]
+    for i in range(1, len(places)):
+        places[i] = max(places[i], places[i - 1] + line)
+    limit = height + line * 0.4
+    for i in reversed(range(len(places))):
+        places[i] = min(places[i], limit)
+        limit = places[i] - line
+    return [(min(max(f, 0.0), 1.0), p, n, v) for (f, n, v), p in zip(known, places)]
+
+
+def unbounded():
+    """A group whose content has no extent: fitting the view ignores it."""
+    kind = coin.SoType.fromName("SoSkipBoundingGroup")
+    return kind.createInstance() if not kind.isBad() else coin.SoGroup()
+
+
+class Legend:
+    """The legend's nodes.  `root` goes into the scene graph; `show` fills it, `hide` empties it."""
+
+    def __init__(self):
+        self._content = None
+        self._size = None
+        self.root = unbounded()
+        note = coin.SoAnnotation()
+        note.renderCaching = coin.SoSeparator.OFF
+        style = coin.SoPickStyle()
+        style.style = coin.SoPickStyle.UNPICKABLE
+        note.addChild(style)
+        note.addChild(coin.SoResetTransform())
+        camera = coin.SoOrthographicCamera()
+        camera.viewportMapping = coin.SoCamera.LEAVE_ALONE
+        camera.position = (0, 0, 1)
+        camera.height = 2.0
+        camera.nearDistance, camera.farDistance = 0.1, 10.0
+        note.addChild(camera)
+        # the view's size is only known while it is drawn; a saved image may be larger than the window
+        self._watch = coin.SoCallback()
+        self._watch.setCallback(self._drawn, None)
+        note.addChild(self._watch)
+        place = coin.SoTranslation()
+        place.translation = (-0.975, 0.93, 0)
+        note.addChild(place)
+        self._image = coin.SoImage()
+        self._image.horAlignment = coin.SoImage.LEFT
+        self._image.vertAlignment = coin.SoImage.TOP
+        self._switch = coin.SoSwitch()
+        self._switch.whichChild = coin.SO_SWITCH_NONE
+        self._switch.addChild(self._image)
+        note.addChild(self._switch)
+        self._place = place
+        self.root.addChild(note)
+
+    @property
+    def shown(self) -> bool:
+        return self._content is not None
+
+    def show(self, text: LegendText, scale: Scale, corner: str = "Upper left") -> None:
+        if (text, scale, corner) == self._content:
+            return
+        self._content = (text, scale, corner)
+        right, low = "right" in corner, "Lower" in corner
+        self._place.translation = (0.975 if right else -0.975, -0.93 if low else 0.93, 0)
+        self._image.horAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT
+        self._image.vertAlignment = coin.SoImage.BOTTOM if low else coin.SoImage.TOP
+        self._repaint(self._size or 1.0)
+        self._switch.whichChild = 0
+
+    def hide(self) -> None:
+        self._content = None
+        self._switch.whichChild = coin.SO_SWITCH_NONE
+
+    def _repaint(self, size: float) -> None:
+        self._size = size
+        set_image(self._image, paint(self._content[0], self._content[1], size))
+
+    def _drawn(self, _data, action) -> None:
+        """Called while the scene is traversed: fit the picture to the height of the view or of the saved image."""
+        if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
+            return
+        height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()[1]
+        size = min(max(round(height / REFERENCE_HEIGHT * 8) / 8, 0.75), 6.0)
+        if size != self._size:
+            notify = self._image.enableNotify(False)
+            self._repaint(size)
+            self._image.enableNotify(notify)

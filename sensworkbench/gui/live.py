@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Recolouring at once: when a machine with coloured parts has changed, its indices are computed again.
+
+Several changes in a row are answered once, when the event loop is idle.  Long computations run in a thread that
+touches no document, with a progress bar and Cancel; cancelling leaves the old result, marked stale.
+"""
+
+from __future__ import annotations
+
+import threading
+
+import FreeCAD as App
+
+from ..core import workspace
+from ..core.refusal import Refused
+from ..document import extract, factory, results
+from . import settings
+from .qt import Qt, QtCore, QtGui, later, main_window, translate
+
+_waiting: set[tuple[str, str]] = set()
+LIVE_POINTS = 2000  # more positions than these are computed on command only
+
+
+def wake(machine) -> None:
+    """Compute again soon, unless the user switched that off."""
+    key = (machine.Document.Name, machine.Name)
+    if settings.get("Live") and not machine.Problem and key not in _waiting:
+        _waiting.add(key)
+        later(lambda: _answer(key))
+
+
+def _answer(key) -> None:
+    _waiting.discard(key)
+    document, name = key
+    machine = App.getDocument(document).getObject(name) if document in App.listDocuments() else None
+    result = factory.sensitivity_of(machine) if machine is not None else None
+    if result is None or not result.Stale or not result.Coloured:
+        return
+    try:
+        core = extract.core_machine(machine)
+        positions = extract.positions(machine, core)
+        if len(positions.q) > LIVE_POINTS:
+            return
+        found = workspace.sensitivity(core, positions, extract.objective(machine), estimate=False)
+        results.store(machine, found, core)
+    except Refused:
+        return  # the machine's Problem and the legend say that the result is out of date
+
+
+class Task:
+    """A function in a thread of its own.  `progress` is handed to it; a false return means stop."""
+
+    def __init__(self, function):
+        self.fraction, self.cancelled, self.result, self.error = 0.0, False, None, None
+        self._function = function
+        self.thread = threading.Thread(target=self._run, daemon=True)
+
+    def progress(self, fraction: float) -> bool:
+        self.fraction = fraction
+        return not self.cancelled
+
+    def _run(self):
+        try:
+            self.result = self._function(self.progress)
+        except Exception as error:  # handed to the event loop, which raises it there
+            self.error = error
+
+
+def in_background(function, title: str, patience: float = 0.3):
+    """Run function(progress) off the event loop and return its result; a dialog with Cancel shows after `patience` s.
+
+    Raises what the function raises, and `workspace.Cancelled` when the user cancels.  Touches no document itself.
+    """
+    task = Task(function)
+    task.thread.start()
+    task.thread.join(patience)
+    if task.thread.is_alive():
+        _wait(task, title)
+    task.thread.join()
+    if task.error is not None:
+        raise task.error
+    return task.result
+
+
+def _wait(task: Task, title: str) -> None:
+    dialog = QtGui.QProgressDialog(title, translate("Sens", "Cancel"), 0, 1000, main_window())
+    dialog.setObjectName("SensProgress")
+    dialog.setWindowTitle("Sens Workbench")
+    dialog.setWindowModality(Qt.ApplicationModal)
+    dialog.setMinimumDuration(0)
+    dialog.setAutoClose(False)
+    dialog.setAutoReset(False)
+    loop = QtCore.QEventLoop()
+    timer = QtCore.QTimer()
+
+    def look():
+        if not task.thread.is_alive():
+            loop.quit()
+        elif not task.cancelled:
+            dialog.setValue(int(1000 * task.fraction))
+
+    def cancel():
+        task.cancelled = True
+        dialog.setLabelText(translate("Sens", "Stopping…"))
+
+    dialog.canceled.connect(cancel)
+    timer.timeout.connect(look)
+    timer.start(40)
+    dialog.show()
+    loop.exec_()
+    timer.stop()
+    dialog.close()
+    dialog.deleteLater()
+
+
+def compute(machine):
+    """Compute a machine's indices with progress and Cancel, store and return the Sensitivity object.
+
+    Raises `Refused` or `workspace.Cancelled`; nothing is changed then.
+    """
+    core = extract.core_machine(machine)
+    positions, objective = extract.positions(machine, core), extract.objective(machine)
+    found = in_background(
+        lambda progress: workspace.sensitivity(core, positions, objective, progress),
+        translate("Sens", "Computing the indices at {n} positions").format(n=len(positions.q)),
+    )
+    return results.store(machine, found, core)

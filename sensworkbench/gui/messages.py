@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One clear message when something cannot be done, and one way to change a document: a transaction with a name."""
+
+from __future__ import annotations
+
+from contextlib import contextmanager
+
+import FreeCAD as App
+
+from ..core.refusal import Refused
+from ..core.workspace import Cancelled
+from .qt import Qt, QtGui, main_window, translate
+
+
+def show(text: str, title: str = "Sens Workbench"):
+    """A message that does not stop the event loop; returns the box."""
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Warning, title, text, QtGui.QMessageBox.Ok, main_window())
+    box.setObjectName("SensMessage")
+    box.setTextFormat(Qt.PlainText)
+    box.setAttribute(Qt.WA_DeleteOnClose)
+    box.open()
+    return box
+
+
+@contextmanager
+def transaction(doc, name: str):
+    """One undo step: everything inside, or nothing when it raises."""
+    doc.openTransaction(name)
+    try:
+        yield
+        doc.recompute()
+    except BaseException:
+        doc.abortTransaction()
+        raise
+    doc.commitTransaction()
+
+
+def change(doc, name: str, function) -> bool:
+    """Run function() as one undo step; a refusal becomes a message and leaves the document as it was."""
+    try:
+        with transaction(doc, name):
+            function()
+    except Refused as error:
+        show(error.message)
+        return False
+    except Cancelled:
+        status(translate("Sens", "Cancelled; nothing was changed"))
+        return False
+    return True
+
+
+def status(text: str) -> None:
+    """A line in the status bar for a few seconds."""
+    if App.GuiUp:
+        main_window().statusBar().showMessage(text, 6000)
+
+
+def icon(name: str) -> str:
+    from .files import icon_path
+
+    return icon_path(name)
+
+
+def ask_open(title: str, kinds: str) -> str:
+    """Path of a file to read, or ""."""
+    return QtGui.QFileDialog.getOpenFileName(main_window(), title, "", kinds)[0]
+
+
+def ask_save(title: str, kinds: str, name: str) -> str:
+    """Path of a file to write, or ""."""
+    return QtGui.QFileDialog.getSaveFileName(main_window(), title, name, kinds)[0]
+
+
+def ask_folder(title: str) -> str:
+    """Path of a folder, or ""."""
+    return QtGui.QFileDialog.getExistingDirectory(main_window(), title)

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a component or error points at in the view: its axis of motion, reference point and Abbe offset, as arrows."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from ..core.errors import AXES
+from ..core.refusal import Refused
+from ..document import extract, factory, paths
+from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, Arrow
+from .qt import translate
+from .texts import body_name
+
+BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
+
+
+def _now(machine, body: str, point) -> App.Vector:
+    """A point of a body where it is at the current position."""
+    axes = extract.check_chains(machine)
+    u, _ = extract.directions(machine, axes)
+    return App.Vector(point) + extract.displacement(machine, body, u, extract.stands_at(machine))
+
+
+def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
+    """Arrows for the given bodies (X, Y, Z, T, W); empty where the machine cannot be computed.
+
+    detail : with the axis of motion and the components of the offset, for one body or a few.
+    """
+    found = []
+    for body in bodies:
+        obj = factory.body_of(machine, body)
+        if obj is None or machine.Problem:
+            continue
+        try:
+            start = _now(machine, body, obj.ReferencePoint)
+        except Refused:
+            continue
+        offset = obj.AbbeOffset
+        name = body_name(machine, body)
+        colour = BODY_COLOURS[body]
+        if body in AXES and detail:
+            low, high = obj.TravelLower.Value, obj.TravelUpper.Value
+            here = obj.Position.Value
+            sign = -1 if body in machine.WorkpieceChain else 1
+            a = start + obj.Direction * (sign * (low - here))
+            b = start + obj.Direction * (sign * (high - here))
+            text = translate("Sens", "{name}: {low} … {high} mm").format(name=name, low=f"{low:g}", high=f"{high:g}")
+            found.append(Arrow(tuple(a), tuple(b), colour, text, 1.0))
+        text = translate("Sens", "Reference {name}").format(name=name)
+        if offset.Length < 1e-6:
+            found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text, below=True))
+            continue
+        found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text if detail else "", below=True))
+        local = [getattr(obj, f"AbbeOffset{k}").Value for k in AXES]
+        words = translate("Sens", "Abbe offset {name}: {length} mm").format(name=name, length=f"{offset.Length:.1f}")
+        if detail:
+            words += "\n" + "   ".join(f"{k.lower()} {v:.1f}" for k, v in zip(AXES, local))
+        else:
+            words = f"{name}: {offset.Length:.1f} mm"
+        found.append(Arrow(tuple(start), tuple(start + offset), OFFSET_COLOUR, words, 0.5))
+    return found
+
+
+def extent(machine) -> float:
+    """A length that says how large the machine is, mm."""
+    box = App.BoundBox()
+    for body in ("F", *AXES, "T", "W"):
+        for where in extract.parts_of(machine, body):
+            for leaf in paths.leaves(where):
+                shape = leaf.shape()
+                if shape is not None and not shape.isNull():
+                    box.add(shape.BoundBox)
+    return box.DiagonalLength if box.isValid() else 1000.0
+
+
+_sizes: dict[tuple[str, str], float] = {}
+
+
+def show(machine, bodies, *, detail: bool = True) -> None:
+    """Draw the arrows of some bodies; none of them clears the view."""
+    proxy = machine.ViewObject.Proxy
+    if not hasattr(proxy, "arrows"):
+        return
+    bodies = [b for b in bodies if b != "F"]
+    if not bodies:
+        proxy.arrows.clear()
+        return
+    key = (machine.Document.Name, machine.Name)
+    if key not in _sizes:
+        _sizes[key] = extent(machine)
+    proxy.arrows.show(arrows(machine, bodies, detail=detail), _sizes[key])
+
+
+def clear(machine) -> None:
+    try:
+        proxy = machine.ViewObject.Proxy
+    except ReferenceError:  # the machine is gone, and its arrows with it
+        return
+    if hasattr(proxy, "arrows"):
+        proxy.arrows.clear()
+
+
+def select_parts(machine, bodies) -> None:
+    """Light up the parts of some bodies through FreeCAD's selection."""
+    import FreeCADGui as Gui
+
+    Gui.Selection.clearSelection()
+    for body in bodies:
+        for where in extract.parts_of(machine, body):
+            Gui.Selection.addSelection(where.root.Document.Name, where.root.Name, where.path)
+
+
+def forget(machine) -> None:
+    """Measure the machine again when its arrows are drawn next."""
+    _sizes.pop((machine.Document.Name, machine.Name), None)

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Qt as FreeCAD offers it, on Qt 5 and Qt 6 alike.
+
+Only FreeCAD's own `PySide` is imported.  Its QtGui re-exports the widgets on every version, while QtWidgets is missing on
+older ones, so everything is reached through QtGui.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD 0.20: the widgets are in QtGui
+    QtWidgets = QtGui
+
+Qt = QtCore.Qt
+Signal = QtCore.Signal
+
+translate = App.Qt.translate
+
+
+def run(dialog) -> object:
+    """Run a modal dialog: exec_ is the one name that every version has."""
+    return dialog.exec_()
+
+
+def main_window():
+    import FreeCADGui as Gui
+
+    return Gui.getMainWindow()
+
+
+def buttons(*names: str):
+    """Standard buttons by name for a task panel's `getStandardButtons`: an enum on Qt 6, an int on Qt 5."""
+    box = QtGui.QDialogButtonBox
+    flags = getattr(box, names[0])
+    for name in names[1:]:
+        flags = flags | getattr(box, name)
+    try:
+        return int(flags)
+    except TypeError:
+        return flags
+
+
+def later(function, milliseconds: int = 0) -> None:
+    """Call `function` once from the event loop."""
+    QtCore.QTimer.singleShot(milliseconds, function)
+
+
+def pump(milliseconds: int = 0) -> None:
+    """Let the window work off what is waiting, for at least so long."""
+    clock = QtCore.QElapsedTimer()
+    clock.start()
+    QtGui.QApplication.processEvents()
+    while clock.elapsed() < milliseconds:
+        QtGui.QApplication.processEvents()
+
+
+def dark() -> bool:
+    """True where the window's theme is dark."""
+    return QtGui.QApplication.palette().color(QtGui.QPalette.Window).lightness() < 128

@@ -1,0 +1,301 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The review: a dock beside the model with the ranking, the components, what-if and the settings of the result.
+
+The table and the 3D view are linked both ways: choosing an error or component lights up its parts and shows its arrows,
+clicking a part chooses its errors.  The dock edits nothing but through named transactions.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+
+from ..core.refusal import Refused
+from ..document import extract, factory
+from ..document.base import alive, kind_of
+from . import display, messages, pointers
+from .bars import ComponentBars
+from .qt import Qt, QtCore, QtGui, main_window, translate
+from .ranking import Ranking
+from .review_settings import Settings
+from .texts import body_name, mean_square_text, objective_text, positions_text
+from .whatif import WhatIf
+
+_dock: list = []
+
+
+def dock():
+    """The one dock, made when first asked for."""
+    if not _dock:
+        _dock.append(Review(main_window()))
+        main_window().addDockWidget(Qt.RightDockWidgetArea, _dock[0])
+    return _dock[0]
+
+
+def show(machine) -> Review:
+    """Show the review of a machine."""
+    found = dock()
+    found.set_machine(machine)
+    found.show()
+    found.raise_()
+    return found
+
+
+def hide() -> None:
+    if _dock:
+        _dock[0].close()
+
+
+def workbench_activated() -> None:
+    """Nothing is opened unasked; the dock keeps what it shows."""
+    if _dock and _dock[0].isVisible():
+        _dock[0].refresh()
+
+
+class Watch:
+    """Answers clicks in the 3D view and the tree."""
+
+    def __init__(self, review):
+        self.review = review
+
+    def addSelection(self, doc, name, sub, _point):
+        self.review.picked(doc, name, sub)
+
+    def clearSelection(self, _doc):
+        self.review.unpicked()
+
+
+class Follow:
+    """Follows the document: results that change, objects that go."""
+
+    def __init__(self, review):
+        self.review = review
+
+    def slotChangedObject(self, obj, prop):
+        if prop in ("Variance", "Stale", "Coloured", "Total", "Label") and kind_of(obj):
+            self.review.soon()
+
+    def slotDeletedObject(self, obj):
+        if kind_of(obj):
+            self.review.soon()
+
+    def slotCreatedObject(self, obj):
+        self.review.soon()
+
+    def slotDeletedDocument(self, doc):
+        self.review.soon()
+
+    def slotActivateDocument(self, doc):
+        self.review.soon()
+
+
+class Review(QtGui.QDockWidget):
+    def __init__(self, parent):
+        super().__init__(translate("Sens", "Sensitivity review"), parent)
+        self.setObjectName("SensReview")
+        self.key = ("", "")
+        self._linking = False
+        self._timer = QtCore.QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.refresh)
+        body = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(body)
+        layout.setContentsMargins(6, 6, 6, 6)
+        self.head = QtGui.QLabel()
+        self.head.setWordWrap(True)
+        self.head.setTextFormat(Qt.RichText)
+        layout.addWidget(self.head)
+        self.tabs = QtGui.QTabWidget()
+        self.tabs.setDocumentMode(True)
+        layout.addWidget(self.tabs, 1)
+        self.ranking = Ranking()
+        self.bars = ComponentBars()
+        scroll = QtGui.QScrollArea()
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QtGui.QFrame.NoFrame)
+        scroll.setWidget(self.bars)
+        self.what_if = WhatIf()
+        self.settings = Settings()
+        self.tabs.addTab(self.ranking, translate("Sens", "Errors"))
+        self.tabs.addTab(scroll, translate("Sens", "Components"))
+        self.tabs.addTab(self.what_if, translate("Sens", "What if"))
+        self.tabs.addTab(self.settings, translate("Sens", "Settings"))
+        layout.addLayout(self._buttons())
+        self.setWidget(body)
+        self.setMinimumWidth(340)
+        self.ranking.chosen.connect(self.choose)
+        self.bars.picked.connect(lambda b: self.choose([b]))
+        self._watch, self._follow = Watch(self), Follow(self)
+        self._watching = False
+
+    def _buttons(self):
+        row = QtGui.QHBoxLayout()
+        for text, tip, command in (
+            (translate("Sens", "Compute again"), translate("Sens", "Computes the indices of the machine as it is now"),
+             "Sens_Sensitivity"),
+            (translate("Sens", "Original colours"), translate("Sens", "Gives every part its own colours back"),
+             "Sens_OriginalColours"),
+            (translate("Sens", "Report…"), translate("Sens", "Writes HTML, JSON and CSV"), "Sens_Report"),
+        ):  # fmt: skip
+            button = QtGui.QPushButton(text)
+            button.setToolTip(tip)
+            button.setObjectName(command)
+            button.clicked.connect(lambda *_, c=command: self._run(c))
+            row.addWidget(button)
+        button = QtGui.QPushButton(translate("Sens", "Picture…"))
+        button.setToolTip(translate("Sens", "Saves the 3D view with its legend"))
+        button.clicked.connect(self._picture)
+        row.addWidget(button)
+        return row
+
+    def _run(self, command: str):
+        if self.machine is not None:
+            Gui.Selection.clearSelection()
+            Gui.Selection.addSelection(self.machine)
+            Gui.runCommand(command, 0)
+
+    def _picture(self):
+        from .export import save_picture
+
+        if self.machine is not None:
+            try:
+                save_picture(self.machine.Document)
+            except Refused as error:
+                messages.show(error.message)
+
+    # -- what is shown -----------------------------------------------------------------------------------------------
+    @property
+    def machine(self):
+        document, name = self.key
+        if document not in App.listDocuments():
+            return None
+        obj = App.getDocument(document).getObject(name)
+        return obj if obj is not None and kind_of(obj) == "Machine" and alive(obj) else None
+
+    @property
+    def result(self):
+        machine = self.machine
+        return factory.sensitivity_of(machine) if machine is not None else None
+
+    def set_machine(self, machine) -> None:
+        self.key = (machine.Document.Name, machine.Name)
+        self.refresh()
+
+    def soon(self):
+        """Show again what has changed, once the present change is over."""
+        if self.isVisible():
+            self._timer.start(0)
+
+    def refresh(self) -> None:
+        machine, result = self.machine, self.result
+        if machine is None and App.ActiveDocument is not None:
+            others = factory.machines(App.ActiveDocument)
+            if others:
+                self.key = (others[0].Document.Name, others[0].Name)
+                machine, result = self.machine, self.result
+        ready = result is not None and bool(result.Symbols)
+        self.tabs.setEnabled(machine is not None)
+        self.head.setText(self._heading(machine, result if ready else None))
+        self.ranking.show_result(machine, result if ready else None)
+        self.bars.show_blocks(_blocks(machine, result) if ready else [])
+        self.what_if.show_machine(machine, result if ready else None)
+        self.settings.show_machine(machine, result)
+        for name in ("Sens_Sensitivity", "Sens_OriginalColours", "Sens_Report"):
+            button = self.findChild(QtGui.QPushButton, name)
+            button.setEnabled(machine is not None and (name == "Sens_Sensitivity" or ready))
+
+    def _heading(self, machine, result) -> str:
+        if machine is None:
+            return translate("Sens", "No machine in this document. Start with <b>Machine from Selection…</b> "
+                                     "or <b>Example Machine</b>.")  # fmt: skip
+        name = _escape(machine.Label)
+        if machine.Problem:
+            return f"<b>{name}</b><br><span style='color:#c0392b'>{_escape(machine.Problem)}</span>"
+        if result is None:
+            ask = translate("Sens", "No result yet: press <b>Compute again</b>.")
+            return f"<b>{name}</b> · {machine.Structure}<br>{ask}"
+        lines = [f"<b>{name}</b> · {result.Label} · {machine.Structure} · {_escape(mean_square_text(result))}"]
+        accuracy = f" (±{result.EstimatedError:.0e})" if result.EstimatedError >= 0 else ""
+        lines.append(f"{_escape(positions_text(result))}{accuracy} · {_escape(objective_text(result))}")
+        if result.Stale:
+            words = translate("Sens", "Out of date: the machine has changed since.")
+            lines.append(f"<span style='color:#c0392b'>{words}</span>")
+        return "<br>".join(lines)
+
+    # -- linked selection --------------------------------------------------------------------------------------------
+    def choose(self, bodies) -> None:
+        """Components or errors were chosen here: light up their parts, draw their arrows."""
+        machine = self.machine
+        if machine is None or self._linking:
+            return
+        self._linking = True
+        try:
+            pointers.select_parts(machine, bodies)
+            pointers.show(machine, bodies)
+            self.bars.choose(bodies[0] if len(bodies) == 1 else "")
+        except Refused as error:
+            messages.status(error.message)
+        finally:
+            self._linking = False
+
+    def picked(self, document: str, name: str, sub: str) -> None:
+        """A part or axis was clicked: choose its errors here and draw its arrows."""
+        machine = self.machine
+        if machine is None or self._linking or document != machine.Document.Name:
+            return
+        obj = machine.Document.getObject(name)
+        if obj is None:
+            return
+        kind = kind_of(obj)
+        try:
+            body = (
+                getattr(obj, kind) if kind in ("Axis", "Body") else "" if kind else extract.owner_of(machine, obj, sub)
+            )
+        except Refused:
+            return
+        self._linking = True
+        try:
+            self.ranking.choose_body(body or "")
+            self.bars.choose(body or "")
+            pointers.show(machine, [body] if body else [])
+        finally:
+            self._linking = False
+
+    def unpicked(self) -> None:
+        machine = self.machine
+        if machine is not None and not self._linking:
+            pointers.clear(machine)
+
+    def showEvent(self, event):
+        if not self._watching:
+            self._watching = True
+            Gui.Selection.addObserver(self._watch)
+            App.addDocumentObserver(self._follow)
+        super().showEvent(event)
+
+    def closeEvent(self, event):
+        if self._watching:
+            self._watching = False
+            Gui.Selection.removeObserver(self._watch)
+            App.removeDocumentObserver(self._follow)
+            if self.machine is not None:
+                pointers.clear(self.machine)
+        super().closeEvent(event)
+
+
+def _escape(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+def _blocks(machine, result):
+    """What the component bars show, largest first."""
+    scale = display.scale(result)
+    shown = display.values(result)
+    blocks = []
+    for body, first, total in zip(result.Bodies, result.ComponentFirst, result.ComponentTotal):
+        errors = sorted(
+            ((s, t) for s, o, t in zip(result.Symbols, result.Owners, result.Total) if o == body and t > 0),
+            key=lambda e: -e[1],
+        )
+        blocks.append((body, body_name(machine, body), first, total, scale.colour(shown.get(body)), errors))
+    return sorted(blocks, key=lambda b: -b[3])

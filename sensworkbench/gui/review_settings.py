@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is judged and how it is shown: objective, positions, squareness; colours, range and legend.
+
+Each change is one undo step.  What changes the indices is computed again at once; what changes the look only recolours.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from . import display, messages
+from .colormap import MAPS
+from .preferences import (
+    aggregate_choices,
+    colour_by_choices,
+    combo,
+    corner_choices,
+    number_box,
+    read_field,
+    write_field,
+)
+from .qt import QtGui, translate
+
+
+class Settings(QtGui.QScrollArea):
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QtGui.QFrame.NoFrame)
+        body = QtGui.QWidget()
+        self.setWidget(body)
+        page = QtGui.QVBoxLayout(body)
+        page.setContentsMargins(2, 6, 2, 2)
+        self.machine = self.result = None
+        self._quiet = False
+        page.addWidget(self._objective())
+        page.addWidget(self._look())
+        page.addStretch(1)
+
+    def _objective(self):
+        group = QtGui.QGroupBox(translate("Sens", "What is judged"))
+        rows = QtGui.QFormLayout(group)
+        self.output = combo([
+            ("position", translate("Sens", "Position of the tool")),
+            ("orientation", translate("Sens", "Orientation of the tool")),
+        ])  # fmt: skip
+        self.signed = combo([
+            (False, translate("Sens", "Sum of squares")), (True, translate("Sens", "Signed sum")),
+        ])  # fmt: skip
+        self.weights = [number_box(-1000, 1000, 3, 0.5) for _ in range(3)]
+        weights = QtGui.QHBoxLayout()
+        for label, box in zip("XYZ", self.weights):
+            weights.addWidget(QtGui.QLabel(label))
+            weights.addWidget(box, 1)
+        tip = translate("Sens", "Weight of each component; 0 leaves it out (a groove does not care along its length)")
+        for box in self.weights:
+            box.setToolTip(tip)
+        self.aggregate = combo(aggregate_choices())
+        self.count = QtGui.QSpinBox()
+        self.count.setRange(1, 120)
+        self.count.setToolTip(translate("Sens", "Positions per axis"))
+        self.at = [number_box(-1e5, 1e5, 3, 10, " mm") for _ in range(3)]
+        at = QtGui.QHBoxLayout()
+        for box in self.at:
+            at.addWidget(box, 1)
+        self.squareness = combo([
+            ("direction", translate("Sens", "tilts the direction of motion (ISO 230-1)")),
+            ("carried", translate("Sens", "also turns what the guide carries")),
+        ])  # fmt: skip
+        rows.addRow(translate("Sens", "Output"), self.output)
+        rows.addRow(translate("Sens", "Objective"), self.signed)
+        rows.addRow(translate("Sens", "Weights"), weights)
+        rows.addRow(translate("Sens", "Positions"), self.aggregate)
+        rows.addRow(translate("Sens", "Per axis"), self.count)
+        rows.addRow(translate("Sens", "Position"), at)
+        rows.addRow(translate("Sens", "Squareness"), self.squareness)
+        self.apply = QtGui.QPushButton(translate("Sens", "Compute"))
+        self.apply.setObjectName("SensApplySettings")
+        self.apply.clicked.connect(self.compute)
+        rows.addRow("", self.apply)
+        self.aggregate.currentIndexChanged.connect(self._kinds)
+        return group
+
+    def _look(self):
+        group = QtGui.QGroupBox(translate("Sens", "How it is shown"))
+        rows = QtGui.QFormLayout(group)
+        self.colour_by = combo(colour_by_choices())
+        self.colour_map = combo([(name, name.capitalize()) for name in MAPS])
+        self.automatic = QtGui.QCheckBox(translate("Sens", "Automatic"))
+        self.automatic.setToolTip(
+            translate("Sens", "From 0 to just above the largest index; otherwise the range sticks")
+        )
+        self.lower, self.upper = number_box(0, 1e6), number_box(0, 1e6)
+        ends = QtGui.QHBoxLayout()
+        ends.addWidget(self.automatic)
+        ends.addWidget(self.lower, 1)
+        ends.addWidget(QtGui.QLabel("…"))
+        ends.addWidget(self.upper, 1)
+        self.legend = QtGui.QCheckBox(translate("Sens", "Show"))
+        self.corner = combo(corner_choices())
+        legend = QtGui.QHBoxLayout()
+        legend.addWidget(self.legend)
+        legend.addWidget(self.corner, 1)
+        self.map = QtGui.QCheckBox(translate("Sens", "Expected error over the workspace as points"))
+        rows.addRow(translate("Sens", "Parts show"), self.colour_by)
+        rows.addRow(translate("Sens", "Colour map"), self.colour_map)
+        rows.addRow(translate("Sens", "Range"), ends)
+        rows.addRow(translate("Sens", "Legend"), legend)
+        rows.addRow(translate("Sens", "Error map"), self.map)
+        self._fields = {
+            "ColourBy": self.colour_by, "ColourMap": self.colour_map, "AutomaticRange": self.automatic,
+            "RangeLower": self.lower, "RangeUpper": self.upper, "ShowLegend": self.legend,
+            "LegendCorner": self.corner, "ShowErrorMap": self.map,
+        }  # fmt: skip
+        for name, field in self._fields.items():
+            if isinstance(field, QtGui.QComboBox):
+                field.currentIndexChanged.connect(lambda *_, n=name: self._look_changed(n))
+            elif isinstance(field, QtGui.QCheckBox):
+                field.toggled.connect(lambda *_, n=name: self._look_changed(n))
+            else:
+                field.setKeyboardTracking(False)
+                field.valueChanged.connect(lambda *_, n=name: self._look_changed(n))
+        return group
+
+    def _kinds(self, *_):
+        kind = read_field(self.aggregate)
+        self.count.setEnabled(kind != "at")
+        for box in self.at:
+            box.setEnabled(kind == "at")
+        if self.machine is not None and kind != "at" and not self._quiet:
+            self.count.setValue(self.machine.Grid if kind == "grid" else self.machine.Order)
+
+    def show_machine(self, machine, result) -> None:
+        self.machine, self.result = machine, result
+        self.setEnabled(machine is not None)
+        if machine is None:
+            return
+        self._quiet = True
+        try:
+            write_field(self.output, machine.Output)
+            write_field(self.signed, bool(machine.Signed))
+            for box, value in zip(self.weights, machine.Weights):
+                box.setValue(value)
+            write_field(self.aggregate, machine.Aggregate)
+            self.count.setValue(machine.Grid if machine.Aggregate == "grid" else machine.Order)
+            for box, value in zip(self.at, machine.At):
+                box.setValue(value)
+            write_field(self.squareness, machine.Squareness)
+            self._kinds()
+            view = result.ViewObject if result is not None else None
+            known = view is not None and hasattr(view, "ShowErrorMap")
+            for name, field in self._fields.items():
+                field.setEnabled(known)
+                if known:
+                    write_field(field, getattr(view, name))
+            if known:
+                shown = display.scale(result)
+                self.lower.setEnabled(not view.AutomaticRange)
+                self.upper.setEnabled(not view.AutomaticRange)
+                if view.AutomaticRange:
+                    self.lower.setValue(shown.lower)
+                    self.upper.setValue(shown.upper)
+        finally:
+            self._quiet = False
+
+    def compute(self) -> None:
+        """Write the objective and compute again: one undo step."""
+        from .commands import compute_and_colour
+
+        machine = self.machine
+        if machine is None:
+            return
+
+        def change():
+            for name, field in (
+                ("Output", self.output), ("Aggregate", self.aggregate), ("Squareness", self.squareness)
+            ):  # fmt: skip
+                if getattr(machine, name) != read_field(field):
+                    setattr(machine, name, read_field(field))
+            machine.Signed = bool(read_field(self.signed))
+            machine.Weights = App.Vector(*[b.value() for b in self.weights])
+            machine.At = App.Vector(*[b.value() for b in self.at])
+            if read_field(self.aggregate) != "at":
+                setattr(machine, "Grid" if read_field(self.aggregate) == "grid" else "Order", self.count.value())
+            compute_and_colour(machine)
+
+        messages.change(machine.Document, translate("Sens", "Sensitivity"), change)
+
+    def _look_changed(self, name: str) -> None:
+        if self._quiet or self.result is None:
+            return
+        result, view = self.result, self.result.ViewObject
+        value = read_field(self._fields[name])
+        if getattr(view, name) == value:
+            return
+
+        def change():
+            if name == "AutomaticRange" and not value:
+                shown = display.scale(result)  # by hand from where the automatic range stood
+                view.RangeLower, view.RangeUpper = shown.lower, shown.upper
+            setattr(view, name, value)
+            display.update(result)
+
+        messages.change(result.Document, translate("Sens", "Look of the result"), change)
+        self.show_machine(self.machine, result)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's preferences (Edit > Preferences > Sens): one table of names and defaults, used by the page and the code."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+PATH = "User parameter:BaseApp/Preferences/Mod/SensWorkbench"
+
+# name: (default, meaning)
+DEFAULTS = {
+    "ColourMap": "viridis",
+    "ColourBy": "Mean",
+    "AutomaticRange": True,
+    "RangeLower": 0.0,
+    "RangeUpper": 1.0,
+    "LegendCorner": "Upper left",
+    "AngleUnit": "urad",
+    "Aggregate": "quadrature",
+    "Order": 8,
+    "Grid": 5,
+    "Live": True,
+}
+
+
+def _group():
+    return App.ParamGet(PATH)
+
+
+def get(name: str):
+    """The preference, or its default."""
+    default, group = DEFAULTS[name], _group()
+    if isinstance(default, bool):
+        return group.GetBool(name, default)
+    if isinstance(default, int):
+        return group.GetInt(name, default)
+    if isinstance(default, float):
+        return group.GetFloat(name, default)
+    return group.GetString(name, default)
+
+
+def put(name: str, value) -> None:
+    default, group = DEFAULTS[name], _group()
+    if isinstance(default, bool):
+        group.SetBool(name, bool(value))
+    elif isinstance(default, int):
+        group.SetInt(name, int(value))
+    elif isinstance(default, float):
+        group.SetFloat(name, float(value))
+    else:
+        group.SetString(name, str(value))

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The jog panel: a slider and a number for each axis; parts, Abbe offsets and indices at the position follow at once.
+
+The whole jog is one undo step; Cancel puts the parts back.
+"""
+
+from __future__ import annotations
+
+from ..core import workspace
+from ..core.errors import AXES, BODIES
+from ..core.refusal import Refused
+from ..document import extract, factory
+from ..document import jog as moving
+from . import colours, display, messages, pointers
+from .colormap import automatic
+from .preferences import number_box
+from .qt import Qt, QtCore, QtGui, buttons, translate
+from .texts import body_name
+
+STEPS = 1000
+
+
+class TaskJog:
+    """The panel.  `position` is where the axes stand."""
+
+    def __init__(self, machine):
+        self.machine = machine
+        self.document = machine.Document
+        self.position = dict(zip(AXES, extract.current_position(machine).tolist()))
+        extract.survey(machine)  # refuses before anything is opened
+        self.core = None
+        self.document.openTransaction(translate("Sens", "Jog"))
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._move)
+        self._quiet = False
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("SensJog")
+        self.form.setWindowTitle(translate("Sens", "Jog {name}").format(name=machine.Label))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Jog")))
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.addWidget(self._axes())
+        self.follow = QtGui.QCheckBox(translate("Sens", "Colour by the indices at this position"))
+        self.follow.setToolTip(translate("Sens", "Recolours while the axes move; off: the colours of the result stay"))
+        result = factory.sensitivity_of(machine)
+        self.follow.setChecked(result is not None and bool(result.Coloured))
+        self.follow.setEnabled(result is not None and bool(result.Coloured))
+        self.follow.toggled.connect(lambda *_: self._timer.start(0))
+        layout.addWidget(self.follow)
+        self.table = self._table()
+        layout.addWidget(self.table)
+        self.note = QtGui.QLabel()
+        self.note.setWordWrap(True)
+        layout.addWidget(self.note)
+        layout.addStretch(1)
+        self._show()
+
+    def _axes(self):
+        box = QtGui.QWidget()
+        grid = QtGui.QGridLayout(box)
+        grid.setContentsMargins(0, 0, 0, 0)
+        self.sliders, self.numbers = {}, {}
+        for i, name in enumerate(AXES):
+            axis = factory.axis_of(self.machine, name)
+            low, high = axis.TravelLower.Value, axis.TravelUpper.Value
+            slider = QtGui.QSlider(Qt.Horizontal)
+            slider.setRange(0, STEPS)
+            slider.setPageStep(STEPS // 20)
+            slider.setToolTip(f"{low:g} … {high:g} mm")
+            number = number_box(low, high, 3, max(1.0, round((high - low) / 100)), " mm")
+            number.setKeyboardTracking(False)
+            number.setToolTip(f"{low:g} … {high:g} mm")
+            grid.addWidget(QtGui.QLabel(axis.Label), i, 0)
+            grid.addWidget(slider, i, 1)
+            grid.addWidget(number, i, 2)
+            slider.valueChanged.connect(lambda v, n=name, a=low, b=high: self.go(n, a + (b - a) * v / STEPS))
+            number.valueChanged.connect(lambda v, n=name: self.go(n, v))
+            self.sliders[name], self.numbers[name] = slider, number
+        grid.setColumnStretch(1, 1)
+        row = QtGui.QHBoxLayout()
+        self.home = QtGui.QPushButton(translate("Sens", "Home"))
+        self.home.setToolTip(translate("Sens", "All axes to 0"))
+        self.home.clicked.connect(self.go_home)
+        row.addStretch(1)
+        row.addWidget(self.home)
+        grid.addLayout(row, 3, 0, 1, 3)
+        return box
+
+    def _table(self):
+        table = QtGui.QTableWidget(len(BODIES), 6)
+        table.setObjectName("SensOffsets")
+        table.setHorizontalHeaderLabels([
+            translate("Sens", "Abbe offset / mm"), "x", "y", "z", "|r|", "Sᵀ"
+        ])  # fmt: skip
+        table.verticalHeader().hide()
+        table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
+        table.setAlternatingRowColors(True)
+        table.verticalHeader().setDefaultSectionSize(22)
+        table.setMinimumHeight(24 * len(BODIES) + 26)
+        table.itemSelectionChanged.connect(self._point)
+        return table
+
+    # -- moving ------------------------------------------------------------------------------------------------------
+    def go(self, name: str, value: float) -> None:
+        """Drive one axis; the parts follow when the event loop is idle."""
+        if self._quiet:
+            return
+        self.position[name] = value
+        self._quiet = True
+        self._put(name)
+        self._quiet = False
+        self._timer.start(0)
+
+    def _put(self, name):
+        axis = factory.axis_of(self.machine, name)
+        low, high = axis.TravelLower.Value, axis.TravelUpper.Value
+        self.numbers[name].setValue(self.position[name])
+        self.sliders[name].setValue(int(round(STEPS * (self.position[name] - low) / (high - low))))
+
+    def go_home(self) -> None:
+        for name in AXES:
+            box = self.numbers[name]
+            self.go(name, min(max(0.0, box.minimum()), box.maximum()))
+
+    def _move(self) -> None:
+        try:
+            moving.jog(self.machine, self.position)
+            self.document.recompute()
+            self.note.setText("")
+        except Refused as error:
+            self.note.setText(error.message)
+            self.position = dict(zip(AXES, extract.current_position(self.machine).tolist()))
+        self._show()
+
+    def _show(self) -> None:
+        self._quiet = True
+        for name in AXES:
+            self._put(name)
+        self._quiet = False
+        totals = self._indices()
+        for i, body in enumerate(BODIES):
+            obj = factory.body_of(self.machine, body)
+            values = [getattr(obj, f"AbbeOffset{k}").Value for k in AXES] if obj is not None else [None] * 3
+            length = obj.AbbeOffset.Length if obj is not None else None
+            texts = [body_name(self.machine, body)] + ["" if v is None else f"{v:.1f}" for v in (*values, length)]
+            texts.append(f"{totals[body]:.3f}" if body in totals else "–")
+            for column, text in enumerate(texts):
+                item = self.table.item(i, column)
+                if item is None:
+                    item = QtGui.QTableWidgetItem()
+                    if column:
+                        item.setTextAlignment(Qt.AlignRight | Qt.AlignVCenter)
+                    self.table.setItem(i, column, item)
+                item.setText(text)
+        self.table.resizeColumnsToContents()
+        self._point()
+
+    def _indices(self) -> dict[str, float]:
+        """Total index of each component at the position; the parts take it as colour where that is asked for."""
+        try:
+            if self.core is None:
+                self.core = extract.core_machine(self.machine)  # at home: jogging does not change it
+            where = workspace.at(self.core, [self.position[n] for n in AXES])
+            found = workspace.sensitivity(self.core, where, extract.objective(self.machine), estimate=False)
+        except Refused as error:
+            self.note.setText(error.message)
+            return {}
+        totals = dict(zip(found.bodies, found.component_total.tolist()))
+        result = factory.sensitivity_of(self.machine)
+        if result is not None and result.Coloured:
+            view = result.ViewObject
+            if self.follow.isChecked():
+                scale = display.scale(result) if not view.AutomaticRange else automatic(totals.values(), view.ColourMap)
+                colours.apply(self.machine, result, totals, scale)
+                view.Proxy.legend.show(display.position_legend(self.machine, totals, self.position), scale,
+                                       view.LegendCorner)  # fmt: skip
+            else:
+                display.update(result)
+        return totals
+
+    def _point(self) -> None:
+        rows = {i.row() for i in self.table.selectedIndexes()}
+        pointers.show(self.machine, [BODIES[r] for r in sorted(rows)] or list(AXES), detail=bool(rows))
+
+    # -- the panel ---------------------------------------------------------------------------------------------------
+    def getStandardButtons(self):
+        return buttons("Ok", "Cancel")
+
+    def _close(self):
+        import FreeCADGui as Gui
+
+        self._timer.stop()
+        pointers.clear(self.machine)
+        result = factory.sensitivity_of(self.machine)
+        if result is not None:
+            display.update(result)
+        Gui.Control.closeDialog()
+
+    def accept(self):
+        if self._timer.isActive():
+            self._timer.stop()
+            self._move()
+        self._close()
+        self.document.recompute()
+        self.document.commitTransaction()
+        return True
+
+    def reject(self):
+        self._close()
+        self.document.abortTransaction()
+        self.document.recompute()
+        return True
+
+
+def jog(machine):
+    """Open the panel for a machine."""
+    import FreeCADGui as Gui
+
+    panel = TaskJog(machine)
+    Gui.Control.showDialog(panel)
+    return panel

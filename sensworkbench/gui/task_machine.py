@@ -1,0 +1,425 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The machine panel: which part is the bed and which carries X, Y, Z, spindle and workpiece; chains, directions, points.
+
+It works on the objects themselves inside one transaction, so that directions, reference points and Abbe offsets show at
+once in the panel and as arrows; OK keeps them as one undo step, Cancel leaves the document as it was.
+"""
+
+from __future__ import annotations
+
+import itertools
+
+from ..core.errors import AXES
+from ..core.machine import structure_chains
+from ..core.refusal import Refused
+from ..document import factory, paths, refresh
+from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
+from . import messages, pointers, proposal, settings
+from .preferences import combo, number_box, read_field, write_field
+from .qt import Qt, QtGui, buttons, translate
+from .texts import body_kind
+
+BODIES = ("F", "X", "Y", "Z", "T", "W")
+STRUCTURES = tuple("".join(p) for p in itertools.permutations("FXYZ"))
+
+
+def structure_of(machine) -> str:
+    return "".join(reversed(machine.WorkpieceChain)) + "F" + "".join(machine.ToolChain)
+
+
+def structure_words(code: str) -> str:
+    """bed → Y → X → workpiece   |   bed → Z → tool."""
+    workpiece, tool = structure_chains(code)
+    bed, arrow = translate("Sens", "bed"), " → "
+    left = arrow.join([bed, *workpiece, translate("Sens", "workpiece")])
+    return left + "\n" + arrow.join([bed, *tool, translate("Sens", "tool")])
+
+
+def words_of(links) -> str:
+    """Labels of linked parts."""
+    try:
+        return ", ".join(w.label for w in paths.places(links))
+    except Refused as error:
+        return error.message
+
+
+class TaskMachine:
+    """The panel; its transaction is open when it is made."""
+
+    def __init__(self, machine, body: str | None = None):
+        self.machine, self.document = machine, machine.Document
+        self.body = body or "F"
+        self._quiet = False
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("SensMachine")
+        self.form.setWindowTitle(translate("Sens", "Machine {name}").format(name=machine.Label))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("SensWorkbench")))
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.addWidget(self._chains())
+        layout.addWidget(self._bodies())
+        layout.addWidget(self._page())
+        self.note = QtGui.QLabel()
+        self.note.setObjectName("SensNote")
+        self.note.setWordWrap(True)
+        layout.addWidget(self.note)
+        layout.addStretch(1)
+        self.show()
+
+    # -- parts of the panel ------------------------------------------------------------------------------------------
+    def _chains(self):
+        group = QtGui.QGroupBox(translate("Sens", "Structure (workpiece → tool, F: bed)"))
+        rows = QtGui.QFormLayout(group)
+        self.structure = combo([(code, code) for code in STRUCTURES])
+        self.structure.setToolTip(translate("Sens", "XYFZ: table X on saddle Y; the spindle moves along Z"))
+        self.structure.currentIndexChanged.connect(self._structure_changed)
+        self.chain_words = QtGui.QLabel()
+        self.squareness = combo([
+            ("direction", translate("Sens", "tilts the direction of motion (ISO 230-1)")),
+            ("carried", translate("Sens", "also turns what the guide carries")),
+        ])  # fmt: skip
+        self.squareness.currentIndexChanged.connect(lambda *_: self._set("Squareness", read_field(self.squareness)))
+        self.tool_point = Source(self._take_tool_point, None)
+        rows.addRow(translate("Sens", "Structure"), self.structure)
+        rows.addRow("", self.chain_words)
+        rows.addRow(translate("Sens", "Tool point"), self.tool_point)
+        rows.addRow(translate("Sens", "Squareness"), self.squareness)
+        return group
+
+    def _bodies(self):
+        self.table = QtGui.QTreeWidget()
+        self.table.setObjectName("SensBodies")
+        self.table.setRootIsDecorated(False)
+        self.table.setUniformRowHeights(True)
+        self.table.setHeaderLabels([translate("Sens", "Component"), translate("Sens", "Parts")])
+        for body in BODIES:
+            item = QtGui.QTreeWidgetItem(self.table, [body_kind(body), ""])
+            item.setData(0, Qt.UserRole, body)
+        self.table.setMinimumHeight(24 * len(BODIES) + 28)
+        self.table.setMaximumHeight(26 * len(BODIES) + 34)
+        self.table.resizeColumnToContents(0)
+        self.table.currentItemChanged.connect(self._body_chosen)
+        return self.table
+
+    def _page(self):
+        self.page = QtGui.QGroupBox()
+        rows = QtGui.QFormLayout(self.page)
+        self.take = QtGui.QPushButton(translate("Sens", "Take selection"))
+        self.take.setToolTip(translate("Sens", "The parts selected in the view or the tree become this component"))
+        self.take.clicked.connect(self.take_parts)
+        self.add = QtGui.QPushButton(translate("Sens", "Add"))
+        self.add.setToolTip(translate("Sens", "Adds the selected parts"))
+        self.add.clicked.connect(lambda *_: self.take_parts(keep=True))
+        self.clear = QtGui.QPushButton(translate("Sens", "Clear"))
+        self.clear.clicked.connect(lambda *_: self.set_parts([]))
+        row = QtGui.QHBoxLayout()
+        for button in (self.take, self.add, self.clear):
+            row.addWidget(button)
+        rows.addRow(translate("Sens", "Parts"), row)
+        self.direction = Source(self._take_direction, lambda: self._set_source("DirectionSource", None))
+        self.along = combo(list(zip(DIRECTION_CHOICES, along_choices())))
+        self.along.currentIndexChanged.connect(lambda *_: self._set_on_body("DirectionAlong", read_field(self.along)))
+        self.reverse = QtGui.QCheckBox(translate("Sens", "Reversed"))
+        self.reverse.toggled.connect(lambda v: self._set_on_body("Reverse", bool(v)))
+        line = QtGui.QHBoxLayout()
+        line.addWidget(self.along, 1)
+        line.addWidget(self.reverse)
+        rows.addRow(translate("Sens", "Direction from"), self.direction)
+        rows.addRow("", line)
+        self.reference = Source(self._take_reference, lambda: self._set_source("ReferenceSource", None))
+        self.at = combo(list(zip(REFERENCE_CHOICES, reference_choices())))
+        self.at.currentIndexChanged.connect(lambda *_: self._set_on_body("ReferenceAt", read_field(self.at)))
+        rows.addRow(translate("Sens", "Reference from"), self.reference)
+        rows.addRow("", self.at)
+        self.lower, self.upper = (number_box(-1e6, 1e6, 3, 10, " mm") for _ in range(2))
+        for box, name in ((self.lower, "TravelLower"), (self.upper, "TravelUpper")):
+            box.setKeyboardTracking(False)
+            box.valueChanged.connect(lambda v, n=name: self._set_on_body(n, float(v)))
+        line = QtGui.QHBoxLayout()
+        line.addWidget(self.lower, 1)
+        line.addWidget(QtGui.QLabel("…"))
+        line.addWidget(self.upper, 1)
+        rows.addRow(translate("Sens", "Travel"), line)
+        self.found = QtGui.QLabel()
+        self.found.setWordWrap(True)
+        self.found.setTextInteractionFlags(Qt.TextSelectableByMouse)
+        rows.addRow(self.found)
+        self._axis_only = [self.direction, self.along, self.reverse, self.lower, self.upper]
+        self._body_only = [self.reference, self.at]
+        return self.page
+
+    # -- showing -----------------------------------------------------------------------------------------------------
+    @property
+    def owner(self):
+        """The object of the chosen component (the machine for the bed), or None where it is not made yet."""
+        return self.machine if self.body == "F" else factory.body_of(self.machine, self.body)
+
+    def links(self, body: str):
+        owner = self.machine if body == "F" else factory.body_of(self.machine, body)
+        return [] if owner is None else owner.Bed if body == "F" else owner.Parts
+
+    def show(self) -> None:
+        """Recompute the machine and show everything as it is now."""
+        self.document.recompute()
+        refresh.refresh(self.machine)
+        machine, owner = self.machine, self.owner
+        self._quiet = True
+        try:
+            code = structure_of(machine)
+            self.structure.setCurrentIndex(self.structure.findData(code))
+            self.chain_words.setText(structure_words(code) if code in STRUCTURES else "")
+            write_field(self.squareness, machine.Squareness)
+            self.tool_point.show(source_words(machine.ToolPoint), bool(machine.ToolPoint))
+            for i, body in enumerate(BODIES):
+                item = self.table.topLevelItem(i)
+                item.setText(1, words_of(self.links(body)) or translate("Sens", "(none)"))
+                item.setToolTip(1, item.text(1))
+                if body == self.body:
+                    self.table.setCurrentItem(item)
+            self.page.setTitle(body_kind(self.body))
+            axis = self.body in AXES
+            for field in self._axis_only:
+                field.setEnabled(axis)
+            for field in self._body_only:
+                field.setEnabled(self.body != "F")
+            if axis:
+                self.direction.show(
+                    source_words(owner.DirectionSource, translate("Sens", "the first part")),
+                    bool(owner.DirectionSource),
+                )
+                write_field(self.along, owner.DirectionAlong)
+                self.reverse.setChecked(owner.Reverse)
+                self.lower.setValue(owner.TravelLower.Value)
+                self.upper.setValue(owner.TravelUpper.Value)
+            else:
+                self.direction.show("", False)
+            if self.body != "F" and owner is not None:
+                self.reference.show(
+                    source_words(owner.ReferenceSource, translate("Sens", "the parts")), bool(owner.ReferenceSource)
+                )
+                write_field(self.at, owner.ReferenceAt)
+            else:
+                self.reference.show("", False)
+            self.found.setText(self._found_words(owner))
+            self.note.setText(machine.Problem or self._skew_words())
+            self.note.setStyleSheet("color: #c0392b" if machine.Problem else "")
+        finally:
+            self._quiet = False
+        pointers.forget(machine)
+        pointers.show(machine, [self.body] if self.body != "F" else [])
+
+    def _found_words(self, owner) -> str:
+        if self.body == "F" or owner is None or self.machine.Problem:
+            return ""
+        lines = []
+        if self.body in AXES:
+            lines.append(translate("Sens", "Direction: {vector} ({source})").format(
+                vector=_vector(owner.Direction, 4), source=owner.DirectionFrom))  # fmt: skip
+        lines.append(translate("Sens", "Reference point: {vector} mm ({source})").format(
+            vector=_vector(owner.ReferencePoint, 2), source=owner.ReferenceFrom))  # fmt: skip
+        offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in AXES)
+        lines.append(translate("Sens", "Abbe offset here: {offset} mm").format(offset=offset))
+        return "\n".join(lines)
+
+    def _skew_words(self) -> str:
+        machine = self.machine
+        skew = {"XY": machine.SkewXY, "XZ": machine.SkewXZ, "YZ": machine.SkewYZ}
+        off = [f"{pair} {angle:+.3f}°" for pair, angle in skew.items() if abs(angle) > 1e-6]
+        return translate("Sens", "Not square as designed: {pairs}").format(pairs=", ".join(off)) if off else ""
+
+    # -- changing ----------------------------------------------------------------------------------------------------
+    def _body_chosen(self, item, *_):
+        if not self._quiet and item is not None:
+            self.body = item.data(0, Qt.UserRole)
+            self.show()
+
+    def _try(self, function) -> None:
+        """Change something; a refusal is shown and everything else stays."""
+        if self._quiet:
+            return
+        try:
+            function()
+        except Refused as error:
+            self.show()
+            self.note.setText(error.message)
+            return
+        self.show()
+
+    def _set(self, name, value):
+        if not self._quiet and getattr(self.machine, name) != value:
+            self._try(lambda: setattr(self.machine, name, value))
+
+    def _set_on_body(self, name, value):
+        owner = self.owner
+        if not self._quiet and owner is not None and hasattr(owner, name):
+            self._try(lambda: setattr(owner, name, value))
+
+    def _structure_changed(self, *_):
+        def change():
+            workpiece, tool = structure_chains(read_field(self.structure))
+            self.machine.WorkpieceChain, self.machine.ToolChain = list(workpiece), list(tool)
+
+        self._try(change)
+
+    def take_parts(self, *_, keep: bool = False) -> None:
+        """The selected parts become the chosen component, or are added to it."""
+        chosen = [link for link in proposal.selected_links() if not factory.kind_of(link[0])]
+        if not chosen:
+            self.note.setText(translate("Sens", "Select one or more parts in the view or the tree first."))
+            return
+        self.set_parts(([*self.links(self.body)] if keep else []) + chosen)
+
+    def set_parts(self, links) -> None:
+        def change():
+            value = paths.as_links(links)
+            if self.body == "F":
+                self.machine.Bed = value
+                return
+            owner = self.owner or factory.make_body(self.machine, self.body)
+            owner.Parts = value
+
+        self._try(change)
+
+    def _one(self):
+        chosen = [link for link in proposal.selected_links() if not factory.kind_of(link[0])]
+        if len(chosen) != 1:
+            raise Refused(translate("Sens", "Select one coordinate system, datum, vertex, edge, face or part first."))
+        return paths.as_sub(chosen[0])
+
+    def _take_tool_point(self):
+        self._try(lambda: setattr(self.machine, "ToolPoint", self._one()))
+
+    def _take_direction(self):
+        self._try(lambda: self._put_source("DirectionSource", self._one()))
+
+    def _take_reference(self):
+        self._try(lambda: self._put_source("ReferenceSource", self._one()))
+
+    def _set_source(self, name, value):
+        self._try(lambda: self._put_source(name, value))
+
+    def _put_source(self, name, value):
+        owner = self.owner
+        if owner is None and self.body in ("T", "W"):
+            owner = factory.make_body(self.machine, self.body)
+        if owner is not None and hasattr(owner, name):
+            setattr(owner, name, value)
+
+    # -- the panel ---------------------------------------------------------------------------------------------------
+    def getStandardButtons(self):
+        return buttons("Ok", "Cancel")
+
+    def accept(self):
+        import FreeCADGui as Gui
+
+        self.document.recompute()
+        problem = self.machine.Problem
+        if problem:
+            messages.show(problem + "\n\n" + translate("Sens", "Correct it, or press Cancel."))
+            return False
+        pointers.clear(self.machine)
+        Gui.Control.closeDialog()
+        self.document.commitTransaction()
+        return True
+
+    def reject(self):
+        import FreeCADGui as Gui
+
+        pointers.clear(self.machine)
+        Gui.Control.closeDialog()
+        self.document.abortTransaction()
+        self.document.recompute()
+        return True
+
+
+class Source(QtGui.QWidget):
+    """A line that shows where something is taken from, with buttons to take the selection and to go back."""
+
+    def __init__(self, take, reset):
+        super().__init__()
+        row = QtGui.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.text = QtGui.QLineEdit()
+        self.text.setReadOnly(True)
+        self.take = QtGui.QPushButton(translate("Sens", "Take"))
+        self.take.setToolTip(
+            translate("Sens", "Takes the coordinate system, datum, edge, face or part that is selected")
+        )
+        self.take.clicked.connect(lambda *_: take())
+        row.addWidget(self.text, 1)
+        row.addWidget(self.take)
+        self.reset = None
+        if reset is not None:
+            self.reset = QtGui.QPushButton("↺")
+            self.reset.setMaximumWidth(28)
+            self.reset.setToolTip(translate("Sens", "Back to the default"))
+            self.reset.clicked.connect(lambda *_: reset())
+            row.addWidget(self.reset)
+
+    def show(self, words: str, given: bool) -> None:
+        self.text.setText(words)
+        self.text.setToolTip(words)
+        if self.reset is not None:
+            self.reset.setEnabled(given)
+
+
+def along_choices():
+    return [
+        translate("Sens", "Automatic"), translate("Sens", "its local X"), translate("Sens", "its local Y"),
+        translate("Sens", "its local Z"),
+    ]  # fmt: skip
+
+
+def reference_choices():
+    return [
+        translate("Sens", "Automatic"), translate("Sens", "at its placement"), translate("Sens", "at its centre of mass")
+    ]  # fmt: skip
+
+
+def source_words(source, otherwise: str = "") -> str:
+    """Label and element of a source, or what stands in for it."""
+    found = paths.place(source) if source else None
+    if found is None:
+        return otherwise
+    try:
+        return found.label
+    except Refused as error:
+        return error.message
+
+
+def _vector(v, digits: int) -> str:
+    return "(" + ", ".join(f"{x:.{digits}f}" for x in (v.x, v.y, v.z)) + ")"
+
+
+def new_machine(doc):
+    """Make a machine from the selection (or the document) inside a transaction and open the panel."""
+    import FreeCADGui as Gui
+
+    found = proposal.propose(doc, proposal.selected_links())
+    doc.openTransaction(translate("Sens", "Machine from selection"))
+    try:
+        workpiece = found.workpiece_chain
+        machine = factory.make_machine(
+            doc, workpiece, found.tool_chain, bed=found.parts["F"], tool_point=found.tool_point,
+            label=translate("Sens", "Machine"),
+        )  # fmt: skip
+        machine.Aggregate, machine.Order, machine.Grid = (settings.get(k) for k in ("Aggregate", "Order", "Grid"))
+        for name in AXES:
+            factory.make_axis(machine, name, found.parts[name])
+        for name in ("T", "W"):
+            factory.make_body(machine, name, found.parts[name])
+        panel = TaskMachine(machine)
+    except Refused:
+        doc.abortTransaction()
+        raise
+    Gui.Control.showDialog(panel)
+    return panel
+
+
+def edit_machine(machine, body: str | None = None):
+    """Open the panel for a machine, on one of its components."""
+    import FreeCADGui as Gui
+
+    machine.Document.openTransaction(translate("Sens", "Edit machine"))
+    panel = TaskMachine(machine, body)
+    Gui.Control.showDialog(panel)
+    return panel

@@ -1,0 +1,357 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tolerance panel: limits and distribution of every error in a table; OK writes them as one undo step.
+
+Limits may be typed with decimal comma or point and with a unit of their own ("12,5 arcsec"); what cannot be read stays
+in its cell, is marked, and holds OK back.
+"""
+
+from __future__ import annotations
+
+from ..core.distributions import DISTRIBUTIONS, Tolerance, paper_tolerance, with_defaults
+from ..core.errors import BODIES, COMPONENTS, component
+from ..core.refusal import Refused
+from ..core.units import parse, shown
+from ..document import tables
+from ..formats import tolerances as files
+from . import messages, settings
+from .preferences import combo
+from .qt import Qt, QtCore, QtGui, buttons, translate
+from .texts import body_name, distribution_name, error_meaning, plain, unit_sign
+
+SYMBOL, MEANING, OWNER, LOWER, UPPER, UNIT, LAW = range(7)
+UNITS = {True: ("urad", "arcsec", "mrad", "deg"), False: ("um", "nm", "mm")}
+
+
+class Row:
+    """One error while it is edited: texts of the limits as typed, unit, distribution."""
+
+    def __init__(self, symbol: str, tolerance: Tolerance, unit: str):
+        self.symbol, self.component = symbol, component(symbol)
+        self.unit, self.distribution, self.sigma = unit, tolerance.distribution, tolerance.sigma
+        self.values = {LOWER: tolerance.lower, UPPER: tolerance.upper}  # mm or rad
+        self.texts: dict[int, str] = {}  # what was typed and could not be read
+
+    def text(self, column: int) -> str:
+        if column in self.texts:
+            return self.texts[column]
+        return plain(shown(self.values[column], self.unit, angular=self.component.angular))
+
+    def enter(self, column: int, text: str) -> None:
+        try:
+            self.values[column] = parse(text, angular=self.component.angular, default_unit=self.unit, where=self.symbol)
+            self.texts.pop(column, None)
+        except Refused:
+            self.texts[column] = text
+
+    def tolerance(self) -> Tolerance:
+        """The tolerance, or a refusal that names the error."""
+        for column in (LOWER, UPPER):
+            if column in self.texts:
+                parse(self.texts[column], angular=self.component.angular, default_unit=self.unit, where=self.symbol)
+        sigma = self.sigma if self.distribution in ("normal", "truncated_normal") else None
+        try:
+            return Tolerance(self.values[LOWER], self.values[UPPER], self.distribution, sigma)
+        except Refused as error:
+            if self.values[UPPER] < self.values[LOWER]:
+                raise Refused(
+                    translate("Sens", "the upper limit is below the lower limit"), self.symbol,
+                    translate("Sens", "Exchange the two limits."),
+                ) from None  # fmt: skip
+            raise error.at(self.symbol) from None
+
+    def problem(self) -> str:
+        try:
+            self.tolerance()
+        except Refused as error:
+            return error.message
+        return ""
+
+
+class ToleranceModel(QtCore.QAbstractTableModel):
+    """The table behind the panel; nothing here touches the document."""
+
+    def __init__(self, machine, tolerances: dict[str, Tolerance], units: dict[str, str]):
+        super().__init__()
+        self.machine = machine
+        self.rows: list[Row] = []
+        self.load(tolerances, units)
+
+    def load(self, tolerances, units) -> None:
+        self.beginResetModel()
+        everything = {s: Tolerance(0.0, 0.0) for s in COMPONENTS} | with_defaults(dict(tolerances))
+        self.rows = [Row(s, everything[s], units.get(s) or default_unit(s)) for s in COMPONENTS]
+        self.rows.sort(key=lambda r: BODIES.index(r.component.body))
+        self.endResetModel()
+
+    def rowCount(self, parent=None):
+        return len(self.rows)
+
+    def columnCount(self, parent=None):
+        return 7
+
+    def headerData(self, section, orientation, role=Qt.DisplayRole):
+        if role != Qt.DisplayRole or orientation != Qt.Horizontal:
+            return None
+        return (
+            translate("Sens", "Error"), translate("Sens", "Meaning"), translate("Sens", "Component"),
+            translate("Sens", "Lower"), translate("Sens", "Upper"), translate("Sens", "Unit"),
+            translate("Sens", "Distribution"),
+        )[section]  # fmt: skip
+
+    def flags(self, index):
+        base = Qt.ItemIsEnabled | Qt.ItemIsSelectable
+        return base | Qt.ItemIsEditable if index.column() >= LOWER else base
+
+    def data(self, index, role=Qt.DisplayRole):
+        row, column = self.rows[index.row()], index.column()
+        if role in (Qt.DisplayRole, Qt.EditRole):
+            if column == SYMBOL:
+                return row.symbol
+            if column == MEANING:
+                return error_meaning(row.symbol)
+            if column == OWNER:
+                return body_name(self.machine, row.component.body)
+            if column in (LOWER, UPPER):
+                return row.text(column)
+            if column == UNIT:
+                return unit_sign(row.unit) if role == Qt.DisplayRole else row.unit
+            return distribution_name(row.distribution) if role == Qt.DisplayRole else row.distribution
+        problem = row.problem() if column in (LOWER, UPPER) else ""
+        if role == Qt.BackgroundRole and problem:
+            return QtGui.QBrush(QtGui.QColor(200, 60, 50, 110))
+        if role == Qt.ToolTipRole:
+            return problem or (row.component.alias or None if column == SYMBOL else None)
+        if role == Qt.TextAlignmentRole and column in (LOWER, UPPER):
+            return Qt.AlignRight | Qt.AlignVCenter
+        if role == Qt.FontRole and column == SYMBOL:
+            font = QtGui.QFont()
+            font.setBold(True)
+            return font
+        return None
+
+    def setData(self, index, value, role=Qt.EditRole):
+        if role != Qt.EditRole:
+            return False
+        row, column = self.rows[index.row()], index.column()
+        if column in (LOWER, UPPER):
+            row.enter(column, str(value))
+        elif column == UNIT:
+            row.unit = value
+            row.texts.clear()
+        else:
+            row.distribution = value
+        self.changed(index.row())
+        return True
+
+    def changed(self, row: int) -> None:
+        self.dataChanged.emit(self.index(row, 0), self.index(row, 6))
+
+    def problem(self) -> str:
+        return next((p for p in (r.problem() for r in self.rows) if p), "")
+
+    def result(self) -> tuple[dict[str, Tolerance], dict[str, str]]:
+        """(tolerances, units); refuses the first row that cannot be read.  Errors at 0 beyond the usual 24 are left out."""
+        found = {r.symbol: r.tolerance() for r in self.rows}
+        usual = with_defaults({})
+        kept = {s: t for s, t in found.items() if s in usual or t.lower or t.upper}
+        return kept, {r.symbol: r.unit for r in self.rows if r.symbol in kept}
+
+
+def default_unit(symbol: str) -> str:
+    return settings.get("AngleUnit") if component(symbol).angular else "um"
+
+
+class Choice(QtGui.QStyledItemDelegate):
+    """Combo boxes for unit and distribution."""
+
+    def createEditor(self, parent, option, index):
+        row = index.model().rows[index.row()]
+        if index.column() == UNIT:
+            box = combo([(u, unit_sign(u)) for u in UNITS[row.component.angular]])
+        else:
+            box = combo([(d, distribution_name(d)) for d in DISTRIBUTIONS])
+        box.setParent(parent)
+        return box
+
+    def setEditorData(self, editor, index):
+        editor.setCurrentIndex(max(0, editor.findData(index.data(Qt.EditRole))))
+
+    def setModelData(self, editor, model, index):
+        model.setData(index, editor.itemData(editor.currentIndex()))
+
+
+class TaskTolerances:
+    """The panel."""
+
+    def __init__(self, machine):
+        self.machine = machine
+        self.model = ToleranceModel(machine, tables.read_tolerances(machine), tables.read_units(machine))
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("SensTolerances")
+        self.form.setWindowTitle(translate("Sens", "Tolerances of {name}").format(name=machine.Label))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Tolerances")))
+        self.form.setMinimumWidth(360)
+        layout = QtGui.QVBoxLayout(self.form)
+        hint = QtGui.QLabel(
+            translate("Sens", "Type limits with decimal point or comma, a unit may follow: 12,5 arcsec.")
+        )
+        hint.setWordWrap(True)
+        layout.addWidget(hint)
+        self.table = QtGui.QTableView()
+        self.table.setModel(self.model)
+        self.delegate = Choice()
+        self.table.setItemDelegateForColumn(UNIT, self.delegate)
+        self.table.setItemDelegateForColumn(LAW, self.delegate)
+        self.table.setAlternatingRowColors(True)
+        self.table.verticalHeader().hide()
+        self.table.verticalHeader().setDefaultSectionSize(24)
+        self.table.setMinimumHeight(420)
+        self.table.setEditTriggers(QtGui.QAbstractItemView.AllEditTriggers)
+        self.table.setTabKeyNavigation(True)
+        self.table.resizeColumnsToContents()
+        layout.addWidget(self.table, 1)
+        row = QtGui.QHBoxLayout()
+        self.value = QtGui.QLineEdit()
+        self.value.setPlaceholderText(translate("Sens", "for example 5 or 10 arcsec"))
+        self.value.setToolTip(translate("Sens", "Gives the selected errors the limits ± this value"))
+        self.apply = QtGui.QPushButton(translate("Sens", "Set ± for selected"))
+        self.apply.clicked.connect(self.set_selected)
+        row.addWidget(QtGui.QLabel("±"))
+        row.addWidget(self.value, 1)
+        row.addWidget(self.apply)
+        layout.addLayout(row)
+        row = QtGui.QHBoxLayout()
+        self.angle = combo([("urad", "µrad"), ("arcsec", "″")])
+        self.angle.setToolTip(translate("Sens", "Unit in which all angles are shown"))
+        self.angle.setCurrentIndex(self.angle.findData(self._angle_unit()))
+        self.angle.currentIndexChanged.connect(self.set_angle_unit)
+        row.addWidget(QtGui.QLabel(translate("Sens", "Angles in")))
+        row.addWidget(self.angle)
+        row.addStretch(1)
+        for text, tip, slot in (
+            (translate("Sens", "Import…"), translate("Sens", "Reads tolerances from CSV or JSON"), self.ask_import),
+            (translate("Sens", "Export…"), translate("Sens", "Writes tolerances as CSV or JSON"), self.ask_export),
+            (translate("Sens", "Defaults"), translate("Sens", "Park & Yang's values for all errors"), self.defaults),
+        ):
+            button = QtGui.QPushButton(text)
+            button.setToolTip(tip)
+            button.clicked.connect(slot)
+            row.addWidget(button)
+        layout.addLayout(row)
+        self.note = QtGui.QLabel()
+        self.note.setObjectName("SensNote")
+        self.note.setWordWrap(True)
+        layout.addWidget(self.note)
+        self.model.dataChanged.connect(lambda *_: self.check())
+
+    def _angle_unit(self) -> str:
+        found = [r.unit for r in self.model.rows if r.component.angular]
+        return max(("urad", "arcsec"), key=found.count)
+
+    def check(self) -> bool:
+        problem = self.model.problem()
+        self.note.setText(problem)
+        self.note.setStyleSheet("color: #c0392b" if problem else "")
+        return not problem
+
+    def set_selected(self) -> None:
+        text = self.value.text().strip().lstrip("±")
+        rows = sorted({i.row() for i in self.table.selectionModel().selectedIndexes()})
+        if not text or not rows:
+            self.note.setText(translate("Sens", "Type a value and select the errors that take it."))
+            return
+        try:
+            for i in rows:
+                row = self.model.rows[i]
+                value = abs(parse(text, angular=row.component.angular, default_unit=row.unit, where=row.symbol))
+                row.values = {LOWER: -value, UPPER: value}
+                row.texts.clear()
+                self.model.changed(i)
+        except Refused as error:
+            self.note.setText(error.message)
+
+    def set_angle_unit(self, *_) -> None:
+        unit = self.angle.itemData(self.angle.currentIndex())
+        for i, row in enumerate(self.model.rows):
+            if row.component.angular:
+                row.unit = unit
+                self.model.changed(i)
+
+    def defaults(self) -> None:
+        for i, row in enumerate(self.model.rows):
+            tolerance = paper_tolerance(row.symbol)
+            row.values, row.distribution, row.sigma = {LOWER: tolerance.lower, UPPER: tolerance.upper}, "uniform", None
+            row.texts.clear()
+            self.model.changed(i)
+
+    def read_file(self, path: str) -> bool:
+        try:
+            found = files.load(path)
+        except Refused as error:
+            messages.show(error.message)
+            return False
+        for i, row in enumerate(self.model.rows):
+            if row.symbol in found:
+                tolerance = found[row.symbol]
+                row.values = {LOWER: tolerance.lower, UPPER: tolerance.upper}
+                row.distribution, row.sigma = tolerance.distribution, tolerance.sigma
+                row.texts.clear()
+                self.model.changed(i)
+        self.note.setText(translate("Sens", "{n} errors read.").format(n=len(found)))
+        return True
+
+    def write_file(self, path: str) -> bool:
+        try:
+            files.save(self.model.result()[0], path, self.angle.itemData(self.angle.currentIndex()))
+        except Refused as error:
+            messages.show(error.message)
+            return False
+        return True
+
+    def ask_import(self):
+        path = messages.ask_open(translate("Sens", "Import tolerances"), "CSV, JSON (*.csv *.json)")
+        if path:
+            self.read_file(path)
+
+    def ask_export(self):
+        path = messages.ask_save(translate("Sens", "Export tolerances"), "CSV (*.csv);;JSON (*.json)", "tolerances.csv")
+        if path:
+            self.write_file(path)
+
+    def getStandardButtons(self):
+        return buttons("Ok", "Cancel")
+
+    def accept(self):
+        import FreeCADGui as Gui
+
+        try:
+            tolerances, units = self.model.result()
+        except Refused as error:
+            self.check()
+            messages.show(error.message)
+            return False
+        machine = self.machine
+
+        def write():
+            tables.write_tolerances(machine, tolerances, units)
+            machine.touch()
+
+        if not messages.change(machine.Document, translate("Sens", "Tolerances"), write):
+            return False
+        Gui.Control.closeDialog()
+        return True
+
+    def reject(self):
+        import FreeCADGui as Gui
+
+        Gui.Control.closeDialog()
+        return True
+
+
+def edit_tolerances(machine):
+    """Open the panel for a machine."""
+    import FreeCADGui as Gui
+
+    panel = TaskTolerances(machine)
+    Gui.Control.showDialog(panel)
+    return panel

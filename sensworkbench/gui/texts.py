@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Words and numbers as the window shows them: names of bodies and errors, limits with units, settings of a result."""
+
+from __future__ import annotations
+
+import re
+from math import sqrt
+
+from ..core.errors import ROTATION, SQUARENESS, component
+from ..core.refusal import Refused
+from ..core.units import shown
+from ..document import factory
+from .qt import translate
+
+UNIT_SIGNS = {"um": "µm", "urad": "µrad", "arcsec": "″", "deg": "°"}
+
+
+def unit_sign(unit: str) -> str:
+    return UNIT_SIGNS.get(unit, unit)
+
+
+def body_name(machine, body: str) -> str:
+    """What the user calls a body: the label of its object."""
+    if body == "F":
+        return translate("Sens", "Bed")
+    obj = factory.body_of(machine, body) if machine is not None else None
+    # FreeCAD makes labels unique by a number of three digits
+    return re.sub(r"(?<=\D)\d{3}$", "", obj.Label) if obj is not None else body_kind(body)
+
+
+def body_kind(body: str) -> str:
+    return {
+        "F": translate("Sens", "Bed"),
+        "X": translate("Sens", "X carriage"),
+        "Y": translate("Sens", "Y carriage"),
+        "Z": translate("Sens", "Z carriage"),
+        "T": translate("Sens", "Spindle and tool"),
+        "W": translate("Sens", "Workpiece and fixture"),
+    }[body]
+
+
+def error_meaning(symbol: str) -> str:
+    """What an error is, in words."""
+    try:
+        c = component(symbol)
+    except Refused:  # a traced effect: its name says what it is
+        return translate("Sens", "traced effect")
+    along = "XYZ"[c.axis]
+    if c.kind == SQUARENESS:
+        return translate("Sens", "squareness of {body} to {other}").format(
+            body=c.body, other="Y" if c.symbol == "A0Z" else "X"
+        )
+    if c.kind == ROTATION:
+        if c.body == "W":
+            return translate("Sens", "workpiece, rotation about {axis}").format(axis=along)
+        if c.body == "T":
+            return translate("Sens", "spindle, tilt about {axis}").format(axis=along)
+        if along == c.body:
+            return translate("Sens", "roll of {body}").format(body=c.body)
+        return translate("Sens", "tilt of {body} about {axis}").format(body=c.body, axis=along)
+    if c.body == "W":
+        return translate("Sens", "workpiece, shift along {axis}").format(axis=along)
+    if c.body == "T":
+        return translate("Sens", "spindle, shift along {axis}").format(axis=along)
+    if along == c.body:
+        return translate("Sens", "positioning of {body}").format(body=c.body)
+    return translate("Sens", "straightness of {body} along {axis}").format(body=c.body, axis=along)
+
+
+def distribution_name(name: str) -> str:
+    return {
+        "uniform": translate("Sens", "uniform"),
+        "normal": translate("Sens", "normal (limits ±3σ)"),
+        "truncated_normal": translate("Sens", "truncated normal"),
+        "triangular": translate("Sens", "triangular"),
+        "u_shaped": translate("Sens", "U-shaped"),
+        "point": translate("Sens", "fixed value"),
+    }[name]
+
+
+def plain(value: float) -> str:
+    """A number without needless digits."""
+    return f"{value:.6g}"
+
+
+def limits(lower: float, upper: float, unit: str, angular: bool) -> str:
+    """±5 µm, or -1 … 3 µm."""
+    a, b = (shown(v, unit, angular=angular) for v in (lower, upper))
+    sign = unit_sign(unit)
+    if abs(a + b) <= 1e-9 * max(abs(a), abs(b), 1e-30):
+        return f"±{plain(b)} {sign}"
+    return f"{plain(a)} … {plain(b)} {sign}"
+
+
+def positions_text(result) -> str:
+    """Where the indices were taken."""
+    points = [int(p) if result.Aggregate != "at" else p for p in result.Points]
+    if result.Aggregate == "at":
+        return translate("Sens", "At X {x}, Y {y}, Z {z} mm").format(**dict(zip("xyz", (plain(p) for p in points))))
+    counts = "×".join(str(p) for p in points)
+    if result.Aggregate == "grid":
+        return translate("Sens", "Over a grid of {counts} positions").format(counts=counts)
+    return translate("Sens", "Over the workspace, {counts} positions").format(counts=counts)
+
+
+def objective_text(result) -> str:
+    letters = ("T4", "T5", "T6") if result.Output == "position" else ("R1", "R2", "R3")
+    weights = (result.Weights.x, result.Weights.y, result.Weights.z)
+    power = "" if result.Signed else "²"
+    parts = [(f"{plain(abs(w))}·" if abs(w) != 1 else "") + name + power for w, name in zip(weights, letters) if w]
+    signs = [("− " if w < 0 else "+ ") for w in weights if w]
+    text = " ".join(s + p for s, p in zip(signs, parts))
+    return "Y = " + text.removeprefix("+ ")
+
+
+def square_text(result) -> str:
+    if result.Squareness == "carried":
+        return translate("Sens", "squareness carried")
+    return translate("Sens", "squareness tilts the direction (ISO)")
+
+
+def mean_square_text(result) -> str:
+    """E[Y] and the root of it, in µm or µrad."""
+    angular = result.Output != "position"
+    unit, scale = ("µrad", 1e6) if angular else ("µm", 1e3)
+    value = result.MeanSquare
+    if result.Signed:
+        return f"E[Y] = {plain(value * scale)} {unit}"
+    return f"√E[Y] = {sqrt(max(value, 0.0)) * scale:.3g} {unit}"

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What if: halve a tolerance, freeze an error, change a weight - the new ranking beside the old one.
+
+Everything here works on a copy of the machine in memory; the document changes only with Apply, as one undo step.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import sqrt
+
+import FreeCAD as App
+
+from ..core import workspace
+from ..core.refusal import Refused
+from ..document import extract, tables
+from . import messages
+from .preferences import combo, number_box
+from .qt import Qt, QtGui, translate
+from .ranking import _Item, angular
+from .texts import body_name, error_meaning, limits
+
+ERROR, MEANING, OWNER, NEW, FACTOR, BEFORE, AFTER, MOVE = range(8)
+
+
+def factors():
+    return [
+        (1.0, translate("Sens", "as it is")), (0.5, translate("Sens", "halved")), (0.25, translate("Sens", "a quarter")),
+        (0.0, translate("Sens", "frozen")), (2.0, translate("Sens", "doubled")),
+    ]  # fmt: skip
+
+
+class WhatIf(QtGui.QWidget):
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        layout = QtGui.QVBoxLayout(self)
+        layout.setContentsMargins(0, 4, 0, 0)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(translate("Sens", "Weights")))
+        self.weights = [number_box(-1000, 1000, 2, 0.5) for _ in range(3)]
+        for label, box in zip("XYZ", self.weights):
+            row.addWidget(QtGui.QLabel(label))
+            row.addWidget(box, 1)
+            box.setKeyboardTracking(False)
+            box.valueChanged.connect(self.compute)
+        layout.addLayout(row)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(translate("Sens", "Tolerance of the selected errors")))
+        self.factor = combo(factors())
+        self.set_button = QtGui.QPushButton(translate("Sens", "Set"))
+        self.set_button.clicked.connect(self.set_selected)
+        row.addWidget(self.factor, 1)
+        row.addWidget(self.set_button)
+        layout.addLayout(row)
+        self.table = QtGui.QTreeWidget()
+        self.table.setObjectName("SensWhatIf")
+        self.table.setRootIsDecorated(False)
+        self.table.setAlternatingRowColors(True)
+        self.table.setUniformRowHeights(True)
+        self.table.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
+        self.table.setHeaderLabels([
+            translate("Sens", "Error"), translate("Sens", "Meaning"), translate("Sens", "Component"),
+            translate("Sens", "Tolerance"), translate("Sens", "Change"),
+            translate("Sens", "Sᵀ now"), translate("Sens", "Sᵀ then"), translate("Sens", "Rank"),
+        ])  # fmt: skip
+        self.table.setSortingEnabled(True)
+        self.table.sortByColumn(AFTER, Qt.DescendingOrder)
+        layout.addWidget(self.table, 1)
+        self.summary = QtGui.QLabel()
+        self.summary.setWordWrap(True)
+        layout.addWidget(self.summary)
+        row = QtGui.QHBoxLayout()
+        row.addStretch(1)
+        self.reset_button = QtGui.QPushButton(translate("Sens", "Start over"))
+        self.apply_button = QtGui.QPushButton(translate("Sens", "Apply"))
+        self.apply_button.setToolTip(
+            translate("Sens", "Writes the tolerances and weights to the machine, one undo step")
+        )
+        self.reset_button.clicked.connect(self.reset)
+        self.apply_button.clicked.connect(self.apply)
+        row.addWidget(self.reset_button)
+        row.addWidget(self.apply_button)
+        layout.addLayout(row)
+        self.machine = self.result = None
+        self.changes: dict[str, float] = {}
+        self._print = ""
+        self._quiet = False
+        self._then = None
+
+    def show_machine(self, machine, result) -> None:
+        """Start from a result; what was tried is kept while the result is the same."""
+        fresh = result.Fingerprint if result is not None else ""
+        same = machine is self.machine and fresh == self._print
+        self.machine, self.result, self._print = machine, result, fresh
+        self.setEnabled(result is not None)
+        if not same:
+            self.reset()
+
+    def reset(self, *_) -> None:
+        self.changes = {}
+        self._quiet = True
+        if self.machine is not None:
+            for box, value in zip(self.weights, self.machine.Weights):
+                box.setValue(value)
+        self._quiet = False
+        self.compute()
+
+    def set_selected(self) -> None:
+        factor = self.factor.itemData(self.factor.currentIndex())
+        self.change({item.text(ERROR): factor for item in self.table.selectedItems()})
+
+    def change(self, factors_: dict[str, float]) -> None:
+        """Multiply the tolerance widths of some errors (symbol -> factor; 1 puts it back, 0 freezes)."""
+        for symbol, factor in factors_.items():
+            if factor == 1.0:
+                self.changes.pop(symbol, None)
+            else:
+                self.changes[symbol] = factor
+        self.compute()
+
+    def _tried(self):
+        """(core machine, objective) with the changes."""
+        core = extract.core_machine(self.machine)
+        tolerances = core.all_tolerances
+        tolerances |= {s: tolerances[s].scaled(f) for s, f in self.changes.items() if s in tolerances}
+        objective = replace(extract.objective(self.machine), weights=tuple(b.value() for b in self.weights))
+        return replace(core, tolerances=tolerances), objective
+
+    def compute(self, *_) -> None:
+        if self._quiet:
+            return
+        selected = {item.text(ERROR) for item in self.table.selectedItems()}
+        self.table.setSortingEnabled(False)
+        self.table.clear()
+        self._then = None
+        try:
+            if self.result is not None:
+                core, objective = self._tried()
+                positions = extract.positions(self.machine, core)
+                then = workspace.sensitivity(core, positions, objective, estimate=False)
+                self._fill(core, then)
+                self._then = then
+        except Refused as error:
+            self.summary.setText(error.message)
+        self.table.setSortingEnabled(True)
+        for i in range(self.table.topLevelItemCount()):
+            item = self.table.topLevelItem(i)
+            item.setSelected(item.text(ERROR) in selected)
+        changed = self._then is not None and (bool(self.changes) or self._weights_changed())
+        self.apply_button.setEnabled(changed)
+        self.reset_button.setEnabled(bool(self.changes) or self._weights_changed())
+
+    def _weights_changed(self) -> bool:
+        return self.machine is not None and any(
+            abs(b.value() - w) > 1e-9 for b, w in zip(self.weights, self.machine.Weights)
+        )
+
+    def _fill(self, core, then) -> None:
+        result = self.result
+        now = dict(zip(result.Symbols, result.Total))
+        units = dict(zip(result.Symbols, result.Units))
+        after = dict(zip(then.symbols, then.total.tolist()))
+        ranks = [
+            {s: i for i, s in enumerate(sorted(table, key=lambda k: -round(table[k], 12)), start=1)}
+            for table in (now, after)
+        ]
+        words = dict(factors())
+        laws = core.all_tolerances
+        for symbol, owner in zip(then.symbols, then.owners):
+            item = _Item(self.table)
+            factor = self.changes.get(symbol, 1.0)
+            law = laws.get(symbol)
+            is_angle = angular(symbol)
+            unit = units.get(symbol) or ("urad" if is_angle else "um")
+            before, here = ranks[0].get(symbol, 0), ranks[1][symbol]
+            arrow = "" if before == here else " ▲" if here < before else " ▼"
+            texts = (
+                symbol, error_meaning(symbol), body_name(self.machine, owner),
+                limits(law.lower, law.upper, unit, is_angle) if law else "",
+                words.get(factor, f"× {factor:g}") if factor != 1.0 else "",
+                f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
+            )  # fmt: skip
+            for column, text in enumerate(texts):
+                item.setText(column, text)
+                item.setToolTip(column, text)
+                if factor != 1.0:
+                    font = item.font(column)
+                    font.setBold(True)
+                    item.setFont(column, font)
+            for column, value in ((BEFORE, now.get(symbol, 0.0)), (AFTER, after[symbol]), (MOVE, float(here))):
+                item.setData(column, Qt.UserRole, float(value))
+                item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
+        for column in range(MOVE + 1):
+            self.table.resizeColumnToContents(column)
+        self.table.setColumnWidth(MEANING, min(120, self.table.columnWidth(MEANING)))
+        self.summary.setText(self._words(then))
+
+    def _words(self, then) -> str:
+        position = then.objective.output == "position"
+        scale, unit = (1e3, "µm") if position else (1e6, "µrad")
+
+        def size(value, signed):
+            return (value if signed else sqrt(max(value, 0.0))) * scale
+
+        old, new = size(self.result.MeanSquare, self.result.Signed), size(then.mean_square, then.objective.signed)
+        name = "E[Y]" if then.objective.signed else "√E[Y]"
+        text = f"{name}: {old:.3g} {unit} → <b>{new:.3g} {unit}</b>"
+        if old > 0:
+            text += f" ({100 * (new - old) / old:+.1f} %)"
+        worst = max(zip(then.bodies, then.component_total.tolist()), key=lambda p: p[1])
+        words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
+        return text + " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
+
+    def apply(self) -> None:
+        """Write what was tried to the document and compute it: one undo step."""
+        from .commands import compute_and_colour
+
+        machine = self.machine
+        if machine is None or self._then is None:
+            return
+        try:
+            core, objective = self._tried()
+        except Refused as error:
+            messages.show(error.message)
+            return
+
+        def change():
+            known = set(tables.read_tolerances(machine)) | set(self.changes)
+            tables.write_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
+            machine.Weights = App.Vector(*objective.weights)
+            compute_and_colour(machine)
+
+        if messages.change(machine.Document, translate("Sens", "Apply what-if"), change):
+            self.changes = {}
