@@ -25,6 +25,7 @@ from sensworkbench.formats.exchange import etalon, isg
 from sensworkbench.formats.exchange.axis_tables import axis_tables
 from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
 from sensworkbench.formats.exchange.coverage import FORMATS, after_compensation, expressible
+from sensworkbench.formats.exchange.remaining import remaining
 from sensworkbench.formats.exchange.series import as_direction
 from sensworkbench.formats.exchange.tables import Convention, converted, merged, to_machine
 
@@ -480,10 +481,32 @@ def test_the_statement_names_everything_that_is_not_held(tmp_path, fmt):
     text = (tmp_path / "out" / "statement.txt").read_text(encoding="utf-8")
     assert text == statement(m, written)
     for name, why in written.coverage.missing:
-        assert f"  {name}: {why}." in text
+        assert any(
+            line.endswith(f": {why}.") and name in re.split(r", |: ", line.strip()) for line in text.splitlines()
+        )
     for name in (*written.coverage.symbols, *written.coverage.effects):
         assert name in text
     assert "errors" in text or "positions" in text  # the sign is stated
+
+
+@pytest.mark.parametrize("fmt", sorted(FORMATS))
+def test_the_error_that_remains_is_that_of_the_workspace(fmt):
+    m = machine(effects=EFFECTS)
+    r = remaining(m, fmt)
+    assert r.left_out == ("heat",)
+    q = np.array([[x, y, z] for x in np.linspace(*TRAVEL["X"], 7) for y in np.linspace(*TRAVEL["Y"], 7)
+                  for z in np.linspace(*TRAVEL["Z"], 7)])  # fmt: skip
+    for rms, largest, what in (
+        (r.rms_before_um, r.max_before_um, m),
+        (r.rms_after_um, r.max_after_um, after_compensation(m, fmt)),
+    ):
+        length = np.concatenate([np.linalg.norm(error(what, q, d), axis=1) for d in (1.0, -1.0)]) * 1e3
+        assert rms == pytest.approx(np.sqrt((length**2).mean()))
+        assert largest == pytest.approx(length.max())
+    text = statement(m, write(m, fmt))
+    assert f"before compensation: rms {r.rms_before_um:.2f} um" in text
+    assert f"after compensation:  rms {r.rms_after_um:.2f} um" in text and "not known here: heat" in text
+    assert remaining(machine(), "isg").max_after_um == pytest.approx(0, abs=1e-9)
 
 
 def test_a_machine_without_errors_or_with_none_that_fit_is_refused(tmp_path):

@@ -16,11 +16,12 @@ from ..files import read_text, staged, write_text
 from . import etalon, fcm, heidenhain, isg, linuxcnc, siemens
 from .axis_tables import axis_tables
 from .coverage import FORMATS, Coverage, after_compensation, expressible
+from .remaining import Remaining, remaining
 from .tables import Approximation, Convention, merged, sampled, to_machine
 
 __all__ = [
     "FORMATS_OUT", "FORMATS_IN", "Written", "convert", "write", "statement", "import_errors", "import_machine",
-    "expressible", "after_compensation",
+    "expressible", "after_compensation", "remaining",
 ]  # fmt: skip
 
 FORMATS_OUT = (*FORMATS, "fcm")
@@ -102,9 +103,18 @@ def statement(machine: Machine, written: Written) -> str:
         lines += ["Covered errors: " + (", ".join(c.symbols) or "none")]
         lines += ["Covered effects: " + (", ".join(c.effects) or "none")]
         lines += ["", "Not covered:" if c.missing else "Everything is covered."]
-        lines += [f"  {name}: {why}." for name, why in c.missing]
-        lines.append("")
+        reasons = dict.fromkeys(why for _, why in c.missing)
+        lines += [f"  {', '.join(n for n, w in c.missing if w == why)}: {why}." for why in reasons]
+        lines += ["", *_figures(remaining(machine, written.format)), ""]
     return "\n".join([*lines, *written.notes]) + "\n"
+
+
+def _figures(r: Remaining):
+    yield "Predicted error over the workspace (length of the error vector, both directions of approach):"
+    yield f"  before compensation: rms {r.rms_before_um:.2f} um, largest {r.max_before_um:.2f} um"
+    yield f"  after compensation:  rms {r.rms_after_um:.2f} um, largest {r.max_after_um:.2f} um"
+    if r.left_out:
+        yield f"  not in these figures, for their conditions are not known here: {', '.join(r.left_out)}"
 
 
 def convert(machine: Machine, fmt: str, outdir, **options) -> Written:

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The predicted error over the workspace before compensation and after it, by the program's own predictor.
+
+Positions are a grid over the travel, each approached from both sides; effects that need other columns (temperatures,
+time, loads) are left out of both figures and named, since a workspace has no temperature of its own.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from sensworkbench.closedloop.predict import predict
+from sensworkbench.closedloop.readings import Readings
+from sensworkbench.core.drivers import driver_columns
+from sensworkbench.core.errors import AXES
+from sensworkbench.core.machine import Machine
+
+from .coverage import DIRECTION, POSITION, after_compensation
+
+GRID = 7
+
+
+@dataclass(frozen=True)
+class Remaining:
+    """rms and largest length of the error vector, um, before and after; left_out : effects in neither figure."""
+
+    rms_before_um: float
+    max_before_um: float
+    rms_after_um: float
+    max_after_um: float
+    left_out: tuple[str, ...]
+
+
+def workspace(machine: Machine, count: int = GRID) -> Readings:
+    """count³ positions over the travel, each with all directions of approach + and -, without readings."""
+    axes = [np.linspace(*machine.axes[k].travel, count) for k in AXES]
+    q = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    q = np.concatenate([q, q])
+    direction = np.repeat([1.0, -1.0], len(q) // 2)
+    columns = {name: direction for name in DIRECTION}
+    return Readings.from_vectors(q, np.full_like(q, np.nan), columns)
+
+
+def remaining(machine: Machine, fmt: str, positions: Readings | None = None) -> Remaining:
+    """The error that the tables of `fmt` leave, in the machine's own frame (the set-up's alignment is left out).
+
+    positions : places and conditions to judge at; without them the workspace grid.
+    """
+    left_out: tuple[str, ...] = ()
+    if positions is None:
+        positions = workspace(machine)
+        known = {*POSITION, *DIRECTION}
+        left_out = tuple(
+            e.name
+            for e in machine.effects
+            if e.enabled and (e.shape == "lag" or not set(driver_columns(e.driver)) <= known)
+        )
+    effects = tuple(replace(e, enabled=False) if e.name in left_out else e for e in machine.effects)
+    machine = replace(machine, effects=effects, fitted=machine.fitted or {})
+    figures = []
+    for m in (machine, after_compensation(machine, fmt)):
+        length = np.linalg.norm(predict(m, positions, alignment=False), axis=1) * 1e3
+        figures += [float(np.sqrt((length**2).mean())), float(length.max())]
+    return Remaining(*figures, left_out)
