@@ -92,6 +92,7 @@ def parser() -> argparse.ArgumentParser:
 
     verb = verbs.add_parser("demo", help="an example machine from design to report", allow_abbrev=False)
     verb.add_argument("--out", metavar="DIR", required=True, help="folder for everything it makes")
+    verb.add_argument("--structure", choices=("XYFZ", "FXYZ", "YFXZ"), default="XYFZ", help="which example machine")
     verb.set_defaults(run=_demo)
     return top
 
@@ -294,6 +295,8 @@ def _predict(arguments) -> int:
 
 # -- demo ------------------------------------------------------------------------------------------------------------
 def _demo(arguments) -> int:
-    if in_freecad():
-        return importlib.import_module("sensworkbench.document.batch").run(arguments.argv)
-    return importlib.import_module("sensworkbench.document.handoff").run(arguments.argv)
+    from sensworkbench import demo
+
+    for path in demo.run(arguments.out, arguments.structure, _say):
+        _say(str(path))
+    return DONE

@@ -254,7 +254,8 @@ def arrows(q, series: Mapping[str, np.ndarray], unit: str = "µm", limit: int = 
                     drawn = ax.quiver(
                         *at, *by, color=colour, angles="xy", scale_units="xy", scale=1 / scale, width=0.006
                     )
-                    ax.quiverkey(drawn, 0.8, 1.04, key, f"{key:g} {unit}", labelpos="E", coordinates="axes")
+                    if ax is row[2]:
+                        ax.quiverkey(drawn, 0.8, 1.04, key, f"{key:g} {unit}", labelpos="E", coordinates="axes")
                 ax.set_aspect("equal", adjustable="datalim")
                 ax.margins(0.3)
                 ax.set_xlabel(f"{'XYZ'[i]}, mm")
