@@ -182,11 +182,13 @@ class _Reader:
             self.categories[base] = np.array(table.cells[j], dtype=str)
             return
         values = table.numbers(j)
+        with np.errstate(over="ignore"):
+            values = name.convert(values)
         self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
         if table.rows and np.isnan(values).all() and base not in POSITION:
             self._note("warning", "empty-column", f"column {written!r} is empty and left out", table.names_line)
             return
-        self.values[base], self.units[base] = name.convert(values), name.unit
+        self.values[base], self.units[base] = values, name.unit
         if not name.known:
             unit = f", in {name.unit}" if name.unit else ", unit unknown"
             self._note(
