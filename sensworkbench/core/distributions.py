@@ -16,6 +16,7 @@ from .errors import COMPONENTS, PAPER_SYMBOLS, component
 from .refusal import Refused
 
 UM, URAD = 1e-3, 1e-6  # in mm and rad
+LARGEST = 1e6  # mm or rad: a kilometre is no tolerance, and fourth powers must stay finite
 
 DISTRIBUTIONS = ("uniform", "normal", "truncated_normal", "triangular", "u_shaped", "point")
 
@@ -48,6 +49,8 @@ class Tolerance:
                 raise Refused(f"tolerance limit {value!r} is not a number")
             if not math.isfinite(value):
                 raise Refused(f"tolerance limit {value!r} is not finite", do="Give a finite number.")
+            if abs(value) > LARGEST:
+                raise Refused(f"tolerance limit {value:g} (mm or rad) is absurd", do="Check the number and its unit.")
         if self.upper < self.lower:
             raise Refused(
                 f"upper limit {self.upper:g} is below lower limit {self.lower:g}", do="Exchange the two limits."
@@ -64,7 +67,7 @@ class Tolerance:
     def moments(self) -> tuple[float, float, float, float]:
         """(mean, variance, third central moment, fourth central moment)."""
         middle, width = (self.lower + self.upper) / 2, self.upper - self.lower
-        if width == 0 or self.distribution == "point":
+        if width**2 == 0 or self.distribution == "point":
             return middle, 0.0, 0.0, 0.0
         if self.distribution == "uniform":
             return middle, width**2 / 12, 0.0, width**4 / 80
@@ -80,6 +83,8 @@ class Tolerance:
         if c < 1:  # nearly flat: the closed form cancels, the series of exp does not
             mass, second, fourth = (_flat_normal_integral(c * c / 2, k) for k in (0, 2, 4))
             return middle, (width / 2) ** 2 * second / mass, 0.0, (width / 2) ** 4 * fourth / mass
+        if c > 40:  # nothing is cut off
+            return middle, sigma**2, 0.0, 3 * sigma**4
         density = math.exp(-c * c / 2) / math.sqrt(2 * math.pi)
         mass = math.erf(c / math.sqrt(2))
         second = 1 - 2 * c * density / mass

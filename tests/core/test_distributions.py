@@ -105,7 +105,7 @@ def test_truncated_normal_keeps_its_digits_however_flat_or_sharp(ratio):
 @settings(max_examples=60, deadline=None)
 @given(
     lower=st.floats(-1e3, 1e3),
-    width=st.floats(0, 1e3),
+    width=st.one_of(st.just(0.0), st.floats(1e-3, 1e3)),
     name=st.sampled_from(DISTRIBUTIONS),
     shift=st.floats(-100, 100),
 )
@@ -136,6 +136,14 @@ def test_scaling_a_tolerance_scales_its_moments_about_the_same_middle(name, rati
 def test_point_is_known():
     assert Tolerance(1.0, 3.0, "point").moments == (2.0, 0.0, 0.0, 0.0)
     assert Tolerance(2.0, 2.0, "normal").moments == (2.0, 0.0, 0.0, 0.0)
+
+
+@pytest.mark.parametrize("name", DISTRIBUTIONS)
+def test_absurdly_narrow_laws_have_finite_moments(name):
+    """Denormal widths and standard deviations underflow to nothing instead of dividing by zero."""
+    assert Tolerance(0.0, 5e-324, name).moments[1:] == (0.0, 0.0, 0.0)
+    if "normal" in name:
+        assert Tolerance(-1.0, 1.0, name, sigma=5e-324).moments == (0.0, 0.0, 0.0, 0.0)
 
 
 def test_moments_of_many_are_arrays_in_order():
@@ -170,6 +178,8 @@ def test_defaults_are_the_24_errors_of_the_paper_and_what_is_given_besides():
         ((math.nan, 1.0), "nan is not finite"),
         ((0.0, math.inf), "inf is not finite"),
         ((-math.inf, 0.0), "-inf is not finite"),
+        ((0.0, 1e300), "1e\\+300 .* is absurd"),
+        ((0.0, 1.0, "normal", 1e300), "1e\\+300 .* is absurd"),
         ((2.0, 1.0), "upper limit 1 is below lower limit 2"),
         (("1", 2.0), "'1' is not a number"),
         ((True, 2.0), "True is not a number"),
