@@ -58,7 +58,7 @@ def score(case, said: dict) -> dict:
     listed = [{triple(r) for r in e.get("rivals", ())} for e in said["effects"]]
     verdict = said["verdict"] in truth["expect"]
     nameless = truth["missing"] or truth["unlogged"] or truth["kind"] == "odd"
-    matched, by_rival, strict, used = 0, 0, 0, set()
+    matched, by_rival, literal, used = 0, 0, 0, set()
     for effect in [] if nameless else truth["effects"]:
         own = triple(effect)
         same = {own} | {triple(e) for e in effect.get("equals", ())}
@@ -66,10 +66,11 @@ def score(case, said: dict) -> dict:
         near = [i for i, f in enumerate(found) if i not in used and listed[i] & same]
         if direct:
             matched += 1
-            strict += found[direct[0]] == own
+            literal += own == found[direct[0]] or own in listed[direct[0]]
             used.add(direct[0])
         elif near:
             by_rival += 1
+            literal += own in listed[near[0]]
             used.add(near[0])
     false = [f for i, f in enumerate(found) if i not in used and not _tolerated(truth, f)]
     wanted = 0 if nameless else len(truth["effects"])
@@ -92,7 +93,7 @@ def score(case, said: dict) -> dict:
         "outcome": outcome,
         "left": left,
         "verdict_right": verdict,
-        "strict": strict,
+        "literal": bool(wanted) and literal == wanted,
         "false_names": false,
         "rivals_listed": [len(e.get("rivals", ())) for e in said["effects"]],
         "rivals_expected": [len(e["equals"]) + len(e["rivals"]) - 1 for e in truth["effects"] if "equals" in e],
@@ -196,8 +197,22 @@ def _short(row) -> str:
 
 
 def table(rows) -> str:
-    """Kind x level: outcomes, prediction within the limit (where no period is aliased), rivals, gain, time."""
-    head = ["kind", "level", "n", *OUTCOMES, "fresh<=1.2", "ratio50", "ratio90", "rivals", "expected", "gain", "s"]
+    """Kind x level: outcomes; `literal`: every true name is said or listed as a rival, word for word; prediction within
+    the limit (where no period is aliased); rivals listed and expected; gain; time."""
+    head = [
+        "kind",
+        "level",
+        "n",
+        *OUTCOMES,
+        "literal",
+        "fresh<=1.2",
+        "ratio50",
+        "ratio90",
+        "rivals",
+        "expected",
+        "gain",
+        "s",
+    ]
     lines = [head]
     keys = sorted({(r["kind"], r["level"]) for r in rows}, key=lambda k: (KINDS.index(k[0]), k[1]))
     groups = [(k, lvl, [r for r in rows if (r["kind"], r["level"]) == (k, lvl)]) for k, lvl in keys]
