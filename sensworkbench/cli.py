@@ -252,7 +252,9 @@ def _trace(arguments) -> int:
 def _traced(machine, readings, arguments):
     from sensworkbench.closedloop.trace import trace
 
-    return trace(machine, readings, seed=arguments.seed, permutations=max(99, arguments.permutations))
+    if not 199 <= arguments.permutations <= 9999:
+        raise Refused(f"{arguments.permutations} permutations", "--permutations", "Give 199 to 9999.")
+    return trace(machine, readings, seed=arguments.seed, permutations=arguments.permutations)
 
 
 def _mapping(arguments):

@@ -111,6 +111,11 @@ def _family(found: str) -> str:
     return "font-family: system-ui, sans-serif" if found.startswith("font-family") else "system-ui, sans-serif"
 
 
+def _cut(labels, length: int = 34) -> list[str]:
+    """Labels that leave the chart its room."""
+    return [t if len(t) <= length else t[: length - 1] + "…" for t in map(str, labels)]
+
+
 def _grid(ax, axis: str):
     ax.grid(visible=True, axis=axis, color=INK, alpha=0.15, linewidth=0.6)
     ax.set_axisbelow(True)
@@ -142,7 +147,7 @@ def bar_chart(
         ax.barh(y, first, height=0.7, color=list(colours), linewidth=0)
         if maximum is not None:
             ax.plot(maximum, y, linestyle="none", marker="|", markersize=9, markeredgewidth=1.4, color=INK)
-        ax.set_yticks(y, labels)
+        ax.set_yticks(y, _cut(labels))
         ax.invert_yaxis()
         ax.margins(y=0.01)
         ax.set_xlim(0, max(1e-9, 1.05 * max([*total, *(maximum if maximum is not None else [0.0])])))
@@ -172,8 +177,14 @@ def grouped_bars(
     with _Drawing(8.6, 0.9 + (0.14 + 0.15 * len(series)) * len(labels), alt) as drawing:
         ax = drawing.axes()
         for i, (name, values) in enumerate(series.items()):
-            ax.barh(y + (i - (len(series) - 1) / 2) * height, values, height * 0.92, color=SERIES[i % 6], label=name)
-        ax.set_yticks(y, labels)
+            ax.barh(
+                y + (i - (len(series) - 1) / 2) * height,
+                values,
+                height * 0.92,
+                color=SERIES[i % 6],
+                label=_cut([name])[0],
+            )
+        ax.set_yticks(y, _cut(labels))
         ax.invert_yaxis()
         ax.margins(y=0.01)
         ax.tick_params(axis="y", length=0)
@@ -220,7 +231,7 @@ def histogram(series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int
         ax = drawing.axes()
         for i, (name, v) in enumerate(zip(series, values)):
             ax.hist(v, edges, histtype="stepfilled", color=SERIES[i % 6], alpha=0.25, linewidth=0)
-            ax.hist(v, edges, histtype="step", color=SERIES[i % 6], linewidth=1.5, label=name)
+            ax.hist(v, edges, histtype="step", color=SERIES[i % 6], linewidth=1.5, label=_cut([name])[0])
         ax.set_xlabel(xlabel)
         ax.set_ylabel("readings")
         _grid(ax, "y")
