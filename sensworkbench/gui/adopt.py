@@ -78,7 +78,10 @@ def _modified(doc):
 def _set_modified(doc, value: bool) -> None:
     import FreeCADGui as Gui
 
-    Gui.getDocument(doc.Name).Modified = value
+    try:
+        Gui.getDocument(doc.Name).Modified = value
+    except AttributeError:  # read-only on FreeCAD 0.20: the document then counts as changed
+        return
 
 
 def settle(name: str) -> None:

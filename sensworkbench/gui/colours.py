@@ -126,11 +126,18 @@ def write(obj, data: dict) -> None:
         view.ShapeAppearance = tuple(_make_material(m) for m in data["materials"])
         return
     faces = data.get("faces") or [m["DiffuseColor"] for m in data.get("materials", [])]
-    view.ShapeColor = _triple(data["colour"])
-    if len(faces) > 1:
-        view.DiffuseColor = [_triple(c) for c in faces]
+    if not _near(_triple(view.ShapeColor), data["colour"]):
+        view.ShapeColor = _triple(data["colour"])
+    if hasattr(view, "DiffuseColor") and [_rgb(c) for c in view.DiffuseColor] != faces:
+        _set_faces(view, faces)
     if hasattr(view, "Transparency") and view.Transparency != data["transparency"]:
         view.Transparency = data["transparency"]
+
+
+def _set_faces(view, faces) -> None:
+    """Colours face by face (or one for all), keeping the transparency that FreeCAD 0.20 hides in the fourth number."""
+    hidden = view.Transparency / 100 if hasattr(view, "Transparency") else 0.0
+    view.DiffuseColor = [(*_triple(c), hidden) for c in faces]
 
 
 def _set_link(view, colour, override: bool) -> None:
@@ -149,6 +156,9 @@ def paint(obj, colour) -> None:
         material = view.ShapeAppearance[0]
         material.DiffuseColor = colour
         view.ShapeAppearance = (material,)
+    elif len(view.DiffuseColor) > 1:
+        # setting ShapeColor would do too, but FreeCAD 0.20 then loses the faces' colours on undo
+        _set_faces(view, [colour])
     else:
         view.ShapeColor = colour
 
@@ -156,7 +166,9 @@ def paint(obj, colour) -> None:
 def shown_colour(obj) -> tuple[float, float, float]:
     """The colour that an object has in the view."""
     view = obj.ViewObject
-    return _triple(view.ShapeMaterial.DiffuseColor if _is_link(obj) and view.OverrideMaterial else view.ShapeColor)
+    if _is_link(obj):
+        return _triple(view.ShapeMaterial.DiffuseColor)
+    return _triple(view.DiffuseColor[0] if hasattr(view, "DiffuseColor") else view.ShapeColor)
 
 
 def _with_features(obj):

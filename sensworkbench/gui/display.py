@@ -14,7 +14,13 @@ from .colormap import Scale, automatic
 from .legend import LegendText
 from .qt import translate
 from .texts import body_name, objective_text, positions_text, square_text
-from .viewproviders import COLOUR_BY, ViewProviderSensitivity
+from .viewproviders import COLOUR_BY, VIEW_PROPERTIES, ViewProviderSensitivity
+
+
+def ready(result) -> bool:
+    """True where there are indices, and a view provider with all its properties to show them."""
+    view = result.ViewObject if result is not None else None
+    return view is not None and bool(result.Bodies) and all(hasattr(view, name) for name in VIEW_PROPERTIES)
 
 
 def values(result) -> dict[str, float]:
@@ -68,16 +74,16 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
 def update(result) -> None:
     """Bring colours, legend and error map of a result up to date."""
     machine = factory.owner_machine(result)
+    if machine is None or not ready(result) or not isinstance(result.ViewObject.Proxy, ViewProviderSensitivity):
+        return
     view = result.ViewObject
     proxy = view.Proxy
-    if machine is None or not isinstance(proxy, ViewProviderSensitivity) or not hasattr(view, "ShowErrorMap"):
-        return
-    if result.Coloured and result.Bodies:
+    if result.Coloured:
         try:
             colours.apply(machine, result, values(result), scale(result))
         except Refused:
             pass  # the machine's Problem says what is wrong; the last colours stay
-    if result.Coloured and result.Bodies and view.ShowLegend:
+    if result.Coloured and view.ShowLegend:
         proxy.legend.show(legend_text(machine, result), scale(result), view.LegendCorner)
     else:
         proxy.legend.hide()

@@ -13,7 +13,8 @@ from .qt import QtCore, QtGui
 
 def set_image(node, image) -> None:
     """Put a QImage into an SoImage (or SoTexture2) node."""
-    picture = image.convertToFormat(QtGui.QImage.Format_RGBA8888).mirrored(False, True)
+    upright = QtGui.QTransform().scale(1, -1)  # Coin counts rows from below
+    picture = image.transformed(upright).convertToFormat(QtGui.QImage.Format_RGBA8888)
     width, height = picture.width(), picture.height()
     node.image.setValue(coin.SbVec2s(width, height), 4, bytes(picture.constBits())[: 4 * width * height])
 

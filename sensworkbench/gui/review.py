@@ -193,7 +193,7 @@ class Review(QtGui.QDockWidget):
             if others:
                 self.key = (others[0].Document.Name, others[0].Name)
                 machine, result = self.machine, self.result
-        ready = result is not None and bool(result.Symbols)
+        ready = display.ready(result)
         self.tabs.setEnabled(machine is not None)
         self.head.setText(self._heading(machine, result if ready else None))
         self.ranking.show_result(machine, result if ready else None)

@@ -15,6 +15,7 @@ from .qt import later, translate
 __all__ = ["begin", "icon_path", "translate"]
 
 _observer: list = []
+_waiting: set[str] = set()
 
 
 def begin() -> None:
@@ -36,20 +37,28 @@ def begin() -> None:
 
 
 def _ready() -> None:
-    """Once the window stands: new objects get their view providers; documents that are open already are adopted."""
+    """Once the window stands: objects that are made or restored get view providers; open documents are adopted."""
     from ..document.base import register_dresser
     from .viewproviders import dress
 
-    register_dresser(dress)
+    def made_or_restored(obj):
+        dress(obj)
+        adopt_soon(obj.Document)
+
+    register_dresser(made_or_restored)
     for name in list(App.listDocuments()):
         adopt_soon(App.getDocument(name))
 
 
 def adopt_soon(doc) -> None:
-    """Dress a document that holds our objects, from the event loop."""
+    """Take over a document that holds our objects, once, when the event loop is idle."""
     name = doc.Name
+    if name in _waiting:
+        return
+    _waiting.add(name)
 
     def adopt():
+        _waiting.discard(name)
         if name not in App.listDocuments():
             return
         document = App.getDocument(name)
@@ -62,10 +71,7 @@ def adopt_soon(doc) -> None:
 
 
 class Observer:
-    """Sees documents open, and undo and redo."""
-
-    def slotFinishRestoreDocument(self, doc):
-        adopt_soon(doc)
+    """Sees undo and redo; what opens is told by its objects when they are restored."""
 
     def slotUndoDocument(self, doc):
         self._settle(doc)
@@ -75,9 +81,7 @@ class Observer:
 
     @staticmethod
     def _settle(doc):
-        import sys
-
-        if "sensworkbench.gui.adopt" in sys.modules or any(hasattr(o, "SensType") for o in doc.Objects):
+        if any(hasattr(o, "SensType") for o in doc.Objects):
             from .adopt import settle
 
             settle(doc.Name)

@@ -231,11 +231,11 @@ class ViewProviderSensitivity(ViewProviderSens):
         ]
 
 
-_SHOWN = {"Coloured", "Stale", "Bodies", "Variance", "MeanSquare", *COLOUR_BY.values()}
-_VIEW = {
+VIEW_PROPERTIES = (
     "ColourBy", "ColourMap", "AutomaticRange", "RangeLower", "RangeUpper", "ShowLegend", "LegendCorner", "ShowErrorMap",
-    "Visibility",
-}  # fmt: skip
+)  # fmt: skip
+_SHOWN = {"Coloured", "Stale", "Bodies", "Variance", "MeanSquare", *COLOUR_BY.values()}
+_VIEW = {*VIEW_PROPERTIES, "Visibility"}
 
 PROVIDERS = {
     "Machine": ViewProviderMachine,

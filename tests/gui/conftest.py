@@ -82,19 +82,39 @@ def workbench():
     return Gui.activeWorkbench()
 
 
-@pytest.fixture
-def machine(doc, workbench):
-    """The vertical machining centre, in view."""
+@pytest.fixture(scope="session")
+def example_file(tmp_path_factory):
+    """The vertical machining centre as a file: opening it is faster than building it."""
     from sensworkbench.document.examples import make_example
     from sensworkbench.gui.qt import pump
 
-    doc.openTransaction("example")
-    found = make_example(doc, "XYFZ")
-    doc.recompute()
-    doc.commitTransaction()
-    look(doc)
-    pump(20)
-    return found
+    path = str(tmp_path_factory.mktemp("example") / "XYFZ.FCStd")
+    document = App.newDocument("Example")
+    make_example(document, "XYFZ")
+    document.recompute()
+    pump(50)
+    document.saveAs(path)
+    App.closeDocument(document.Name)
+    return path
+
+
+@pytest.fixture
+def machine(workbench, example_file):
+    """The vertical machining centre, in view."""
+    from sensworkbench.document import factory
+    from sensworkbench.gui.qt import pump
+
+    document = App.openDocument(example_file)
+    document.UndoMode = 1
+    pump(50)
+    look(document)
+    yield factory.machine_of(document)
+    _close_all()
+
+
+@pytest.fixture
+def machine_doc(machine):
+    return machine.Document
 
 
 def _close_all():
@@ -180,7 +200,9 @@ def state(doc) -> dict:
 
     found = {}
     for obj in doc.Objects:
-        values = {p: repr(plain(getattr(obj, p))) for p in obj.PropertiesList if p not in ("Proxy", "Shape", "Visibility")}
+        values = {
+            p: repr(plain(getattr(obj, p))) for p in obj.PropertiesList if p not in ("Proxy", "Shape", "Visibility")
+        }
         if colours._can(obj):
             values["look"] = repr(rounded(colours.read(obj)))
         found[obj.Name] = values

@@ -26,8 +26,8 @@ def result_of(doc):
 def hues(image) -> list[int]:
     """How many clearly coloured pixels have each hue in degrees."""
     count = [0] * 360
-    for x in range(0, image.width(), 2):
-        for y in range(0, image.height(), 2):
+    for x in range(0, image.width(), 3):
+        for y in range(0, image.height(), 3):
             c = QtGui.QColor(image.pixel(x, y))
             if c.saturation() > 60 and 40 < c.value():
                 count[c.hue() % 360] += 1
@@ -40,7 +40,8 @@ def near(count, rgb, width=9) -> int:
     return sum(count[(hue + d) % 360] for d in range(-width, width + 1))
 
 
-def test_every_part_has_the_colour_of_its_component(machine, doc):
+def test_every_part_has_the_colour_of_its_component(machine, machine_doc):
+    doc = machine_doc
     run("Sens_Sensitivity")
     result = result_of(doc)
     values, scale = display.values(result), display.scale(result)
@@ -53,7 +54,8 @@ def test_every_part_has_the_colour_of_its_component(machine, doc):
             assert shown == pytest.approx(wanted, abs=0.005), target.obj.Label
 
 
-def test_the_saved_picture_shows_these_colours(machine, doc):
+def test_the_saved_picture_shows_these_colours(machine, machine_doc):
+    doc = machine_doc
     before = hues(picture(doc))
     run("Sens_Sensitivity")
     result = result_of(doc)
@@ -62,10 +64,11 @@ def test_the_saved_picture_shows_these_colours(machine, doc):
     values, scale = display.values(result), display.scale(result)
     for body in ("X", "Y", "Z"):
         rgb = scale.colour(values[body])
-        assert near(after, rgb) > near(before, rgb) + 150, (body, near(before, rgb), near(after, rgb))
+        assert near(after, rgb) > near(before, rgb) + 50, (body, near(before, rgb), near(after, rgb))
 
 
-def test_undo_redo_and_original_colours(machine, doc):
+def test_undo_redo_and_original_colours(machine, machine_doc):
+    doc = machine_doc
     face_by_face = next(t.obj for t in colours.targets(machine)["X"] if len(t.obj.Shape.Faces) > 3)
     count = len(face_by_face.Shape.Faces)
     face_by_face.ViewObject.DiffuseColor = [(1.0, i / count, 0.0) for i in range(count)]
@@ -89,7 +92,8 @@ def test_undo_redo_and_original_colours(machine, doc):
     assert [d for d in differences(coloured, state(doc)) if ".look" in d] == []
 
 
-def test_everything_is_there_after_closing_and_reopening(machine, doc, tmp_path):
+def test_everything_is_there_after_closing_and_reopening(machine, machine_doc, tmp_path):
+    doc = machine_doc
     before = {t.obj.Name: colours.read(t.obj) for g in colours.targets(machine).values() for t in g}
     run("Sens_Sensitivity")
     shown = {n: colours.shown_colour(doc.getObject(n)) for n in before}
@@ -108,7 +112,8 @@ def test_everything_is_there_after_closing_and_reopening(machine, doc, tmp_path)
         assert now["colour"] == pytest.approx(data["colour"], abs=0.005), name
 
 
-def test_a_document_computed_without_a_window_shows_its_colours(machine, doc, tmp_path):
+def test_a_document_computed_without_a_window_shows_its_colours(machine, machine_doc, tmp_path):
+    doc = machine_doc
     from sensworkbench.document import results
 
     results.compute(machine)
@@ -121,7 +126,9 @@ def test_a_document_computed_without_a_window_shows_its_colours(machine, doc, tm
     App.closeDocument(doc.Name)
     with zipfile.ZipFile(path) as source, zipfile.ZipFile(bare, "w") as target:
         for entry in source.infolist():  # what freecadcmd leaves out
-            if not entry.filename.startswith(("GuiDocument", "ShapeAppearance", "DiffuseColor", "LineColor", "PointColor")):
+            if not entry.filename.startswith(
+                ("GuiDocument", "ShapeAppearance", "DiffuseColor", "LineColor", "PointColor")
+            ):
                 target.writestr(entry, source.read(entry.filename))
     again = App.openDocument(bare)
     pump(200)
@@ -142,7 +149,8 @@ def test_a_document_computed_without_a_window_shows_its_colours(machine, doc, tm
 
 
 @pytest.mark.parametrize("background", ["White", "Black"])
-def test_the_legend_stands_in_the_saved_picture(machine, doc, background):
+def test_the_legend_stands_in_the_saved_picture(machine, machine_doc, background):
+    doc = machine_doc
     run("Sens_Sensitivity")
     result = result_of(doc)
     with_legend = picture(doc, background=background)
@@ -166,7 +174,8 @@ def test_the_legend_stands_in_the_saved_picture(machine, doc, background):
         assert near(bar, colour(fraction, scale.name), 12) > 5
 
 
-def test_the_legend_is_redrawn_larger_for_a_large_picture(machine, doc):
+def test_the_legend_is_redrawn_larger_for_a_large_picture(machine, machine_doc):
+    doc = machine_doc
     run("Sens_Sensitivity")
     legend = result_of(doc).ViewObject.Proxy.legend
     picture(doc, 800, 600)
@@ -175,7 +184,8 @@ def test_the_legend_is_redrawn_larger_for_a_large_picture(machine, doc):
     assert legend._size > 1.5 * small
 
 
-def test_a_manual_range_sticks(machine, doc):
+def test_a_manual_range_sticks(machine, machine_doc):
+    doc = machine_doc
     run("Sens_Sensitivity")
     view = result_of(doc).ViewObject
     view.AutomaticRange = False
@@ -214,7 +224,8 @@ def test_a_link_is_coloured_alone_and_restored(doc, workbench):
     assert {n: colours.read(link) for n, link in links.items()} == before
 
 
-def test_deleting_the_result_gives_the_colours_back(machine, doc):
+def test_deleting_the_result_gives_the_colours_back(machine, machine_doc):
+    doc = machine_doc
     before = {t.obj.Name: colours.read(t.obj) for g in colours.targets(machine).values() for t in g}
     run("Sens_Sensitivity")
     import FreeCADGui as Gui
@@ -239,7 +250,8 @@ def test_colour_maps():
     assert Scale(0.0, 0.5).ticks()[0] == 0.0 and Scale(0.0, 0.5).ticks()[-1] == 0.5
 
 
-def test_a_picture_can_be_saved_from_any_folder(machine, doc, tmp_path):
+def test_a_picture_can_be_saved_from_any_folder(machine, machine_doc, tmp_path):
+    doc = machine_doc
     from sensworkbench.gui import export
 
     run("Sens_Sensitivity")
