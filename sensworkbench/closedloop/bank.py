@@ -48,7 +48,9 @@ class Shape:
 
     def vectors(self, columns) -> np.ndarray:
         """(P, width) the columns that the coefficients multiply."""
-        effect = drivers.Effect("", "EXX", self.driver, self.shape, {k: {"value": v} for k, v in self.parameters.items()})
+        effect = drivers.Effect(
+            "", "EXX", self.driver, self.shape, {k: {"value": v} for k, v in self.parameters.items()}
+        )
         return drivers.shape_basis(effect, columns)
 
 
@@ -65,17 +67,23 @@ def _grid(low: float, high: float, count: int) -> list[float]:
     return [float(v) for v in np.geomspace(low, high, count)]
 
 
-def periods(v: np.ndarray, oversample: float = 3.0, limit: int = 700) -> list[float]:
-    """Periods to try on positions v: down to what the spacing of distinct positions can carry."""
-    values = np.unique(np.round(v, 6))
+def periods(v: np.ndarray, oversample: float = 3.0, limit: int = 900) -> list[float]:
+    """Periods to try on positions v: from the span down to 2.5 mm, or to twice the step of a regular grid."""
+    values = np.unique(np.round(v, 4))
     if len(values) < 8:
         return []
+    gaps = np.diff(values)
     span = float(np.ptp(values))
-    shortest = max(2.0 * float(np.median(np.diff(values))) if len(values) < 60 else 0.0, span / 150, 2.0)
-    high = 1 / shortest
-    low = 1.25 / span
+    regular = float(np.ptp(gaps)) < 0.02 * float(gaps.mean())
+    shortest = 2.0 * float(gaps.mean()) if regular else max(2.5, span / 300)
+    high, low = 1 / shortest, 1.25 / span
     count = int(min(limit, max(0, (high - low) * span * oversample)))
-    return [1 / f for f in np.linspace(low, high, count)] if count else []
+    return [float(1 / f) for f in np.linspace(low, high, count)] if count else []
+
+
+def persistent(v: np.ndarray) -> bool:
+    """Does a column keep its value from reading to reading?  A lag of one that jumps each time is a trend in disguise."""
+    return float(np.mean(np.diff(v) ** 2)) < float(np.var(v))
 
 
 def bank(readings) -> list[Shape]:
@@ -108,7 +116,7 @@ def bank(readings) -> list[Shape]:
         span = float(np.ptp(t))
         for tau in _grid(span / 60, span * 1.5, 12):
             put(Shape("t", "approach", {"tau": tau}))
-        memory = [n for n in names if n not in POSITIONS + DIRECTIONS + ("t",)]
+        memory = [n for n in names if n not in POSITIONS + DIRECTIONS + ("t",) and persistent(columns[n])]
         sources = memory + [driver_name((n, n)) for n in memory if n.startswith("spindle")]
         for source in sources:
             for tau in _grid(span / 100, span * 1.5, 12):

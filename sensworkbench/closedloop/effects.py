@@ -11,6 +11,7 @@ import numpy as np
 
 from ..core.drivers import Effect, driver_columns, effect_values
 from ..core.errors import component
+from ..core.refusal import Refused
 from .bank import Shape
 from .search import vectors_of
 
@@ -51,7 +52,7 @@ def coefficient_unit(symbol: str, shape: str, driver: str, parameters, units=Non
     return f"{own}/({unit})" if "*" in unit else f"{own}/{unit}"
 
 
-PARAMETER_UNITS = {"tau": "s", "exponent": "", "degree": ""}
+PARAMETER_UNITS = {"tau": "s", "exponent": "", "degree": "", "bumps": ""}
 
 
 def to_effect(name: str, candidate, covariance, uncertainty, units=None, extent=None) -> Effect:
@@ -63,8 +64,11 @@ def to_effect(name: str, candidate, covariance, uncertainty, units=None, extent=
     c = component(candidate.symbol)
     scale = 1e6 if c.angular else 1e3
     shape = candidate.shape
-    values = [float(v) * scale for v in candidate.coefficients]
-    errors = [float(v) * scale for v in np.sqrt(np.maximum(np.diag(covariance), 0.0))]
+    mix = shape.parameters.get("mix")
+    heights = candidate.coefficients if mix is None else mix @ candidate.coefficients
+    spread = covariance if mix is None else mix @ covariance @ mix.T
+    values = [float(v) * scale for v in heights]
+    errors = [float(v) * scale for v in np.sqrt(np.maximum(np.diag(spread), 0.0))]
     single = len(values) == 1
     parameters = {
         "coefficient": {
@@ -74,6 +78,8 @@ def to_effect(name: str, candidate, covariance, uncertainty, units=None, extent=
         }
     }
     for key, value in shape.parameters.items():
+        if key == "mix":
+            continue
         if key == "domains":
             parameters[key] = {"value": [float(v) for d in value for v in d]}
             continue
@@ -94,10 +100,9 @@ def effect_motion(effect: Effect, columns) -> np.ndarray:
     if effect.shape != "smooth":
         return effect_values(effect, columns)
     flat = effect.parameter("domains")
-    domains = tuple((flat[i], flat[i + 1], int(flat[i + 2])) for i in range(0, len(flat), 3))
-    shape = Shape(effect.driver, "smooth", {"degree": int(effect.parameter("degree")), "domains": domains})
-    from ..core.refusal import Refused
-
+    domains = tuple((flat[i], flat[i + 1]) for i in range(0, len(flat), 2))
+    bumps = tuple(int(n) for n in np.atleast_1d(effect.parameter("bumps")))
+    shape = Shape(effect.driver, "smooth", {"bumps": bumps, "domains": domains})
     for name in driver_columns(effect.driver):
         if name not in columns:
             raise Refused(f"column {name!r} is missing, and effect {effect.name!r} needs it", "", f"Add {name!r}.")

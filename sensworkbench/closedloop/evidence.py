@@ -88,9 +88,7 @@ class BlockGrams:
         """Per block, the coefficients (n,) of a fit of all the others."""
         columns = np.arange(self.gram.shape[1])
         total_gram, total_right = self.gram.sum(axis=0), self.right.sum(axis=0)
-        return [
-            self._solve(total_gram - self.gram[b], total_right - self.right[b], columns) for b in range(self.count)
-        ]
+        return [self._solve(total_gram - self.gram[b], total_right - self.right[b], columns) for b in range(self.count)]
 
     def gains(self, base, candidates, use) -> np.ndarray:
         """(S,) drop of chi-square on blocks `use` when each candidate's columns join `base`.

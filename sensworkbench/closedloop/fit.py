@@ -136,7 +136,11 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
             spread = np.empty(count)
             for kind in np.unique(readings.kind):
                 rows = readings.kind == kind
-                ratio = residual[rows] if stated is None else residual[rows] / np.where(np.isfinite(stated[rows]), stated[rows], 1)
+                ratio = (
+                    residual[rows]
+                    if stated is None
+                    else residual[rows] / np.where(np.isfinite(stated[rows]), stated[rows], 1)
+                )
                 loss = np.sqrt(count / max(count - b.rank, 1))
                 scale = max(robust_scale(ratio) * loss, 1e-9)
                 spread[rows] = scale if stated is None else scale * np.where(np.isfinite(stated[rows]), stated[rows], 1)

@@ -96,6 +96,10 @@ class Structure:
     excess: float  # gain beyond what noise alone gives: chi-square units
     score: float = 0.0  # as standard deviations of a normal variate
 
+    def size(self, used: int) -> float:
+        """rms per reading in units of its noise."""
+        return float(np.sqrt(max(self.excess, 0.0) / used))
+
 
 class FreeScan:
     """Free forms of every pair of columns on every component, whitened once; then any residual is one product."""

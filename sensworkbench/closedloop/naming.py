@@ -50,13 +50,13 @@ def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarr
         if harmonics > 1:
             out.append((f"waves along {shape.driver}", _fourier(v, harmonics)))
         return out
+    slow = [p for p in parts if p in slow_columns(columns, names)]
     if shape.shape == "lag":
         parts = (*parts, "t")
     degree = {1: 9, 2: 6}.get(len(parts), 4)
     out.append((" and ".join(parts), free_form(columns, parts, degree).vectors))
-    slow = [p for p in parts if p in slow_columns(columns, names)]
-    if slow and "t" in names and shape.shape != "lag":
-        others = tuple(p for p in parts if p not in slow)
+    if slow and "t" in names:
+        others = tuple(p for p in parts if p not in (*slow, "t"))
         if not others:
             out.append(("time", free_form(columns, ("t",), 12).vectors))
         else:

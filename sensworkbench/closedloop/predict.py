@@ -60,7 +60,9 @@ def predict(machine: Machine, positions: Readings, alignment: bool = True, effec
     """
     if machine.fitted is None:
         raise Refused(
-            "this machine has no fitted errors", machine.name, "Run trace first, and predict from its machine_augmented."
+            "this machine has no fitted errors",
+            machine.name,
+            "Run trace first, and predict from its machine_augmented.",
         )
     q = positions.q
     parts: list[tuple[str, np.ndarray]] = list(declared_values(machine, q).items())

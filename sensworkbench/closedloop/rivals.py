@@ -16,7 +16,8 @@ from ..core.synthesis import omega
 from . import evidence
 from .bank import DIRECTIONS, POSITIONS
 from .design import declared_columns
-from .search import Candidate, axes_of, vectors_of
+from .scan import exact_gain
+from .search import Candidate, vectors_of
 from .tracer import RIVAL, Step, Tracer
 
 HELD_OUT_RANGE = 25.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
@@ -135,7 +136,12 @@ def _conditions(tracer: Tracer, a: Candidate, b: Candidate):
             yield words, q, columns | {name: columns[name] + 3.0}, tool
     if "t" in used:
         span = float(np.ptp(columns["t"]))
-        yield "repeat after as long again, with the temperatures as they were", q, columns | {"t": columns["t"] + span}, tool
+        yield (
+            "repeat after as long again, with the temperatures as they were",
+            q,
+            columns | {"t": columns["t"] + span},
+            tool,
+        )
     yield "repeat with a tool 150 mm longer", q, columns, tool - np.array([0.0, 0.0, 150.0])
     yield "repeat with the probe 100 mm to the side in x", q, columns, tool + np.array([100.0, 0.0, 0.0])
     yield "repeat with the probe 100 mm to the side in y", q, columns, tool + np.array([0.0, 100.0, 0.0])
@@ -196,17 +202,31 @@ def _words(c: Candidate) -> str:
     return f"{c.symbol} by {c.shape.driver}" + (f" ({c.shape.shape})" if c.shape.shape not in ("linear",) else "")
 
 
-def aliases(tracer: Tracer, c: Candidate) -> list[float]:
-    """Periods that leave the same trace as a periodic finding on these places (mm), the finding's own left out."""
-    v = tracer.readings.columns[c.shape.driver]
-    values = np.unique(np.round(v, 4))
+def aliases(tracer: Tracer, finding: Candidate, others) -> list[float]:
+    """Periods (mm) that the readings cannot tell from a periodic finding's own: they lose less than 9 in chi-square."""
+    driver, period = finding.shape.driver, finding.shape.parameters["period"]
+    full = tracer.fit_with([*others, finding])
+    rows = tracer.rows_with(full, others)
+    columns = tracer.readings.columns
+    values = np.unique(np.round(columns[driver], 4))
+    span = float(np.ptp(values))
     gaps = np.diff(values)
-    if len(values) < 4 or np.ptp(gaps) > 0.02 * gaps.mean():
-        return []
-    step, period = float(gaps.mean()), c.shape.parameters["period"]
-    frequencies = {abs(sign / period + n / step) for n in range(0, 4) for sign in (1, -1)}
-    out = sorted((1 / f for f in frequencies if f > 1e-6), reverse=True)
-    return [p for p in out if abs(p - period) > 1e-3 * period and p > 1.0]
-
-
-__all__ = ["Rival", "rivals", "separating_measurement", "aliases", "axes_of"]
+    trial = [s.parameters["period"] for s in tracer.bank if s.shape == "periodic" and s.driver == driver]
+    if float(np.ptp(gaps)) < 0.02 * float(gaps.mean()):  # one regular grid: every fold is an alias
+        step = float(gaps.mean())
+        trial += [1 / abs(sign / period + n / step) for n in range(1, 6) for sign in (1, -1)]
+    frequency = np.array(sorted({1 / p for p in trial if p > 0.5}))
+    fine = [f + d / span for f in frequency for d in (-0.16, 0.0, 0.16)]
+    found: list[tuple[float, float]] = []
+    for f in fine:
+        if f <= 0 or abs(f - 1 / period) < 1.0 / span:
+            continue
+        shape = replace(finding.shape, parameters={**finding.shape.parameters, "period": 1 / f})
+        gain, _, _ = exact_gain(rows, finding.index, vectors_of(shape, columns))
+        if finding.gain - gain < RIVAL:
+            found.append((1 / f, gain))
+    best: list[float] = []
+    for p, _ in sorted(found, key=lambda item: -item[1]):
+        if all(abs(1 / p - 1 / q) > 1.0 / span for q in best):
+            best.append(float(p))
+    return best[:8]

@@ -19,6 +19,7 @@ from .bank import DIRECTIONS, POSITIONS, Shape
 from .design import ALL_SYMBOLS
 from .freeform import free_form
 from .scan import Rows, Scanner, exact_gain
+from .surface import bump_features
 
 PER_PARAMETER = 7.0  # handicap of each further number fitted: about ln(number of readings)
 
@@ -55,6 +56,9 @@ def vectors_of(shape: Shape, columns) -> np.ndarray:
     """(P, m) columns of a shape; a polynomial's are Legendre P1..Pn over its domain."""
     if shape.shape == "smooth":
         p = shape.parameters
+        if "bumps" in p:
+            features = bump_features(columns, shape.driver.split("*"), p["bumps"], p["domains"])
+            return features @ p["mix"] if "mix" in p else features
         return free_form(columns, tuple(shape.driver.split("*")), p["degree"], p.get("domains")).vectors
     if shape.shape == "polynomial":
         v = np.ones(len(next(iter(columns.values()))))
@@ -87,9 +91,13 @@ def handicap(symbol: str, shape: Shape) -> float:
         cost += 0.5
     if shape.shape in ("power", "hysteresis"):
         cost += 2.0
+    if shape.shape == "polynomial" and shape.driver.startswith("temp_"):
+        cost += 5.0  # expansion is linear
+    if shape.shape == "approach":
+        cost -= 3.0  # every machine warms up
     axes = axes_of(shape.driver)
     if c.kind == SQUARENESS:
-        cost += 1.0
+        cost += 2.0  # its lever holds the axis position: one more factor
     if axes and c.body not in axes:
         cost += 1.0
     if len(axes) > 1 and set(shape.driver.split("*")) - set(POSITIONS):

@@ -16,7 +16,7 @@ from ..core.drivers import driver_columns
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled, sensitivity
-from . import evidence, outcome
+from . import outcome
 from .catalogue import describe, not_testable, physical
 from .design import ALL_SYMBOLS, design, tool_labels
 from .effects import effect_motion, to_effect
@@ -27,8 +27,8 @@ from .readings import Readings
 from .rivals import Rival, aliases, rivals, separating_measurement
 from .scan import exact_gain
 from .search import Candidate, vectors_of
-from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer
-from .unlogged import Unlogged, unlogged_driver
+from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer, surface_candidate
+from .unlogged import Unlogged, uneven_noise, unlogged_driver
 
 NOTHING, EXPLAINED, PARTLY, UNEXPLAINED = "nothing_to_explain", "explained", "partly_explained", "unexplained"
 FEW = 12  # readings, at least
@@ -138,25 +138,20 @@ def _remainder(tracer: Tracer, named) -> tuple[list[Candidate], Remainder, bool]
 
 
 def _smooth(tracer: Tracer, model, rest: Remainder) -> Candidate | None:
-    """The free form of the located columns whose degree predicts left-out blocks best, if it predicts at all."""
-    columns = tracer.readings.columns
-    symbol = ALL_SYMBOLS[rest.structure.component]
-    options = [
-        Candidate(symbol, smooth_shape(rest.structure.columns, columns, d), 0.0, np.zeros(0), 1.0, 0.0)
-        for d in (2, 3, 4, 6, 8, 10)
-    ]
-    fitted = tracer.fit_with(model)
-    grams, base, mine = tracer.grams(fitted, model, options)
-    without = grams.held_out(base)
-    judged = [evidence.gain_statistics(without, grams.held_out(base + m)) for m in mine]
-    best = int(np.argmax([g for g, _ in judged]))
-    return options[best] if judged[best][0] > 2 * judged[best][1] else None
+    """The located surface, if it predicts left-out blocks at all."""
+    return surface_candidate(rest.structure) if rest.gain[0] > rest.gain[1] else None
 
 
 def _unlogged(tracer: Tracer, model) -> Unlogged | None:
-    fitted = tracer.fit_with(model)
-    found = unlogged_driver(tracer.rows(fitted), seed=tracer.seed)
-    return found if found is not None and found.p < ALPHA and found.size > tracer.floor else None
+    rows = tracer.rows(tracer.fit_with(model))
+    readings = tracer.readings
+    for found in (
+        unlogged_driver(rows, seed=tracer.seed),
+        uneven_noise(rows, readings.q, readings.kind, seed=tracer.seed),
+    ):
+        if found is not None and found.p < ALPHA and found.size > tracer.floor:
+            return found
+    return None
 
 
 def _verdict(tracer: Tracer, named, structured: bool, hidden) -> str:
@@ -222,7 +217,8 @@ class _Report:
             "remainder": self._remainder_words(),
             "outliers": self._outliers(),
             "findings": [
-                {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line} for f in readings.findings
+                {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
+                for f in readings.findings
             ]
             + _flipped_sign(tracer, self.full),
         }
@@ -280,7 +276,9 @@ class _Report:
                 shape = replace(c.shape, parameters={**c.shape.parameters, key: v})
                 return exact_gain(rows, c.index, vectors_of(shape, tracer.readings.columns))[0]
 
-            step = 0.02 * value if key != "period" else 0.02 * value**2 / np.ptp(tracer.readings.columns[c.shape.driver])
+            step = (
+                0.02 * value if key != "period" else 0.02 * value**2 / np.ptp(tracer.readings.columns[c.shape.driver])
+            )
             curve = (2 * gain(value) - gain(value + step) - gain(value - step)) / step**2
             out[key] = float(np.sqrt(2 / curve)) if curve > 0 else float(value)
         return out
@@ -307,13 +305,13 @@ class _Report:
             if match:
                 entry |= {"usual_size": match.size, "check": match.check}
             if c.shape.shape == "periodic":
-                alias = aliases(self.tracer, c)
+                alias = aliases(self.tracer, c, self._others(step))
                 if alias:
+                    listed = ", ".join(f"{p:.4g}" for p in [c.shape.parameters["period"], *alias])
                     entry["alias_periods"] = alias
                     entry["note"] = (
-                        "the places stand on a regular grid: the period is an alias class, "
-                        + ", ".join(f"{p:.4g}" for p in [c.shape.parameters["period"], *alias])
-                        + " mm leave the same trace; measure at a finer, irregular pitch"
+                        f"aliased: the spacing of the places cannot tell the periods {listed} mm apart; "
+                        "measure at a finer, irregular pitch"
                     )
             out.append(entry)
         if self.hidden:
@@ -321,11 +319,17 @@ class _Report:
             unit = "urad" if h.symbol[1] in "ABC" else "um"
             out.append(
                 {
-                    "name": f"unlogged driver: {h.symbol} moves from reading to reading",
+                    "name": f"unlogged driver: {h.symbol} moves from reading to reading"
+                    + (f", in proportion to {h.place}" if h.place else ""),
                     "component": h.symbol,
-                    "driver": "unlogged",
+                    "driver": f"unlogged*{h.place}" if h.place else "unlogged",
                     "shape": "random",
-                    "parameters": {"rms": {"value": h.rms * (1e6 if unit == "urad" else 1e3), "unit": unit}},
+                    "parameters": {
+                        "rms": {
+                            "value": h.rms * (1e6 if unit == "urad" else 1e3),
+                            "unit": f"{unit}/mm" if h.place else unit,
+                        }
+                    },
                     "amplitude_um": h.size * float(np.mean(list(self.full.noise.values()))) * 1e3 * np.sqrt(3),
                     "p_familywise": h.p,
                     "selection_frequency": 1.0,
@@ -407,7 +411,9 @@ class _Report:
                 v = tracer.readings.columns[name][:, None]
                 _, _, share = exact_gain(rows, ALL_SYMBOLS.index(symbol), v)
                 if share < 0.05:
-                    out.append(f"{symbol} driven by {name}: {max(share, 0.0):.0%} of it would show beside the declared model")
+                    out.append(
+                        f"{symbol} driven by {name}: {max(share, 0.0):.0%} of it would show beside the declared model"
+                    )
         return out
 
     def _next(self, found_rivals) -> list[dict]:
@@ -470,7 +476,7 @@ class _Report:
             words += "; short waves along the axes (roughness), not named"
         out = {"words": words, "p": r.p, "rms_over_noise": r.size}
         if r.structure is not None and r.p < ALPHA:
-            out |= {"component": ALL_SYMBOLS[r.structure.component], "columns": list(r.structure.columns)}
+            out |= {"component": surface_candidate(r.structure).symbol, "columns": list(r.structure.columns)}
         return out
 
     def _outliers(self) -> list[dict]:
@@ -529,7 +535,5 @@ def _sensitivity_shift(before: Machine, after: Machine) -> list[dict]:
     except Refused:
         return []
     table = dict(zip(old.symbols, old.total.tolist()))
-    rows = [
-        {"symbol": s, "before": table.get(s), "after": float(t)} for s, t in zip(new.symbols, new.total.tolist())
-    ]
+    rows = [{"symbol": s, "before": table.get(s), "after": float(t)} for s, t in zip(new.symbols, new.total.tolist())]
     return sorted(rows, key=lambda r: -r["after"])

@@ -17,21 +17,25 @@ from ..core.machine import Machine
 from ..core.synthesis import omega
 from ..core.workspace import Cancelled
 from . import evidence
-from .bank import bank, log_tail, useful_columns
+from .bank import Shape, bank, log_tail, useful_columns
 from .design import ALL_SYMBOLS, Design, design
 from .fit import Fit, basis, fit
-from .freeform import FreeScan, Structure, normal_score, subspace_gain
-from .naming import beyond, smooth_shape, stands_out
+from .freeform import FreeScan, normal_score
+from .naming import beyond, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, search, vectors_of
+from .search import Candidate, axes_of, handicap, search, vectors_of
+from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
 ALPHA = 0.01
 SELECTION = 0.9
 RIVAL = 9.0
+CLASS = 16.0  # in chi-square: less is within two standard errors of a held-out comparison
 MOST_EFFECTS = 4
 LARGEST_UM = 500.0  # a plausible effect is smaller
+DETECTABLE = 6.0  # nats of evidence: less is no structure
+CERTAIN = 25.0  # nats: beyond the choice among some thousand surfaces by far
 
 
 @dataclass
@@ -58,7 +62,7 @@ class Remainder:
 
     p: float = 1.0
     size: float = 0.0
-    structure: Structure | None = None
+    structure: Surface | None = None
     gain: tuple[float, float] = (0.0, 0.0)
 
 
@@ -147,17 +151,20 @@ class Tracer:
         return step.significant and step.size > self.floor
 
     def selection(self, others, best: Candidate, pool, halves: int = 100) -> float:
-        """Share of half-samples of blocks in which `best` stays within the class of the leading candidate."""
+        """Share of half-samples of blocks that choose `best`, or one of the class that all readings together hardly tell
+        from it (what is tested is that half the machine tells the same story, not that it tells rivals apart)."""
         full = self.fit_with([*others, best])
         pool = [best] + [c for c in pool if c.key != best.key][:40]
         grams, base, mine = self.grams(full, others, pool)
-        rng = np.random.default_rng(self.seed + 1)
         cost = np.array([c.handicap for c in pool])
+        everything = grams.gains(base, mine, np.arange(grams.count))
+        alike = (everything - cost > everything[0] - cost[0] - CLASS) | (everything > everything[0] - RIVAL)
+        rng = np.random.default_rng(self.seed + 1)
         hits = 0
         for _ in range(halves):
             use = rng.permutation(grams.count)[: grams.count // 2]
             score = grams.gains(base, mine, use) - cost
-            hits += bool(score[0] > score.max() - RIVAL and score[0] > 0)
+            hits += bool(score[0] > 0 and (alike[int(np.argmax(score))] or score[0] > score.max() - RIVAL))
         return hits / halves
 
     # -- the loop ------------------------------------------------------------------------------------------------
@@ -171,6 +178,8 @@ class Tracer:
                 return
             self.steps.append(step)
             self.settle()
+            if self._merge():
+                self.settle()
 
     def _next(self, others) -> Step | None:
         fitted = self.fit_with(others)
@@ -227,6 +236,25 @@ class Tracer:
             if not changed:
                 return
 
+    def _merge(self) -> bool:
+        """One polynomial for two powers of one column on the same component."""
+        for i, a in enumerate(self.steps):
+            for b in self.steps[i + 1 :]:
+                ca, cb = a.candidate, b.candidate
+                names = set(ca.shape.driver.split("*")) | set(cb.shape.driver.split("*"))
+                plain = {ca.shape.shape, cb.shape.shape} <= {"linear", "polynomial"}
+                if ca.symbol != cb.symbol or len(names) != 1 or not plain:
+                    continue
+                name = names.pop()
+                v = self.readings.columns[name]
+                degree = max(int(c.shape.parameters.get("degree", c.shape.factors)) for c in (ca, cb))
+                domain = (float(v.min()), float(v.max()))
+                shape = Shape(name, "polynomial", {"degree": max(degree, 2), "domain": domain})
+                a.candidate = Candidate(ca.symbol, shape, 0.0, np.zeros(0), 1.0, handicap(ca.symbol, shape))
+                self.steps.remove(b)
+                return True
+        return False
+
     def review(self):
         """Judge every effect beside all the others, and test whether it may carry its name."""
         for i, step in enumerate(self.steps):
@@ -260,34 +288,31 @@ class Tracer:
 
     # -- what is left ----------------------------------------------------------------------------------------------
     def remainder(self, model) -> Remainder:
-        """Free forms of any two columns on what `model` leaves, sized with a finer form on the leading places."""
+        """Is there structure beside `model`?  Free forms of any two columns test it, a surface locates and sizes it."""
         fitted = self.fit_with(model)
         rows = self.rows(fitted)
         used = max(int(np.count_nonzero(fitted.weight)), 1)
-        found, _ = FreeScan(rows, self.readings, self.names, _distinct(self.machine)).best(self.signs[:99])
-        best, best_score = None, -np.inf
-        for s in found[:12]:
-            for degree in (4, 6, 8, 10):
-                shape = smooth_shape(s.columns, self.readings.columns, degree)
-                gain, dims = subspace_gain(rows, s.component, vectors_of(shape, self.readings.columns))
-                score = normal_score(gain, dims)
-                if dims and score > best_score:
-                    best, best_score = (s, shape, gain, dims), score
-        if best is None:
+        places = _distinct(self.machine)
+        found, null = FreeScan(rows, self.readings, self.names, places).best(self.signs)
+        if not found:
             return Remainder()
-        s, shape, gain, dims = best
-        size = float(np.sqrt(max(gain - dims, 0.0) / used))
-        p = found[0].p
-        if p >= ALPHA and best_score > 4.5:  # sign flips of a strong structure hide it: take it out first
-            symbol = ALL_SYMBOLS[s.component]
-            smooth = Candidate(symbol, shape, gain, np.zeros(0), 1.0, 0.0)
-            clean = self.rows(self.fit_with([*model, smooth]))
-            _, null = FreeScan(clean, self.readings, self.names, _distinct(self.machine)).best(self.signs[:99])
-            p = evidence.p_value(found[0].score, null)
-        candidate = Candidate(ALL_SYMBOLS[s.component], shape, gain, np.zeros(0), 1.0, 0.0)
-        grams, base, mine = self.grams(fitted, model, [candidate])
+        p, score = found[0].p, found[0].score
+        shifts = [c for c in places if not component(ALL_SYMBOLS[c]).angular]
+        leading = list(dict.fromkeys([*shifts, *[s.component for s in found[:10]]]))[:6]
+        best = locate(rows, self.readings, self.names, leading if p < 0.05 or score > 4 else shifts)
+        if not best or best[0].evidence < DETECTABLE:
+            return Remainder(p, found[0].size(used), None)
+        top = best[0]
+        if p >= ALPHA:  # sign flips of a strong structure hide it: take it out of the null first
+            clean = self.rows(self.fit_with([*model, surface_candidate(top)]))
+            _, null = FreeScan(clean, self.readings, self.names, places).best(self.signs)
+            p = min(p, evidence.p_value(score, null))
+            if top.evidence > CERTAIN:
+                p = min(p, 1.0 / (len(null) + 1))
+        size = float(np.sqrt(max(top.gain - top.freedom, 0.0) / used))
+        grams, base, mine = self.grams(fitted, model, [surface_candidate(top)])
         held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
-        return Remainder(p, size, Structure(s.component, s.columns, gain, dims, p, gain - dims, best_score), held)
+        return Remainder(p, size, top, held)
 
 
 def normal_tail(gain: float, dims: int) -> float:
@@ -296,6 +321,17 @@ def normal_tail(gain: float, dims: int) -> float:
         return float(log_tail(np.array(gain), 2))
     z = max(normal_score(gain, dims), 0.0)
     return float(log_tail(np.array(z * z), 1))
+
+
+def surface_candidate(s: Surface) -> Candidate:
+    """A surface as a candidate (without a name); a shift is put on the body that its columns speak of."""
+    symbol = ALL_SYMBOLS[s.component]
+    c = component(symbol)
+    if not c.angular:
+        bodies = [b for b in "XYZ" if b in axes_of("*".join(s.columns))]
+        body = symbol[1] if symbol[1] in bodies or not bodies else bodies[0]
+        symbol = f"E{symbol[1]}{body}"
+    return Candidate(symbol, s.shape(), s.gain, np.zeros(s.mix.shape[1]), 1.0, 0.0)
 
 
 def _same_place(a: Candidate, b: Candidate) -> bool:

@@ -2,8 +2,9 @@
 """A driver that nobody logged: noise shaped like one body's motion.
 
 If one body moves at random from reading to reading, the components of each reading's residual are correlated along that
-body's lever arm.  Only the products between different components are used, so unequal noise of the sensors does not
-imitate it, and the null is made by flipping the sign of every single reading.
+body's lever arm, and their spread follows its length (times a place, where the motion grows along an axis).  The first
+test uses products between different components only, so unequal noise of the sensors does not imitate it; the second
+compares spreads within one direction of sensing.
 """
 
 from __future__ import annotations
@@ -18,12 +19,14 @@ from .scan import Rows
 
 @dataclass(frozen=True)
 class Unlogged:
-    """symbol, rms of the motion (mm or rad), p family-wise, share of chi-square: rms shown per reading over its noise."""
+    """symbol, rms of the motion (mm or rad; per mm of `place` if there is one), family-wise p, size: rms shown per
+    reading over its noise, place: "" or the axis position that the motion is proportional to."""
 
     symbol: str
     rms: float
     p: float
     size: float
+    place: str = ""
 
 
 def _cross(rows: Rows, residual) -> np.ndarray:
@@ -52,3 +55,41 @@ def unlogged_driver(rows: Rows, count: int = 199, seed: int = 0) -> Unlogged | N
     power = float((g2[:, best]).sum() / max(np.count_nonzero(rows.lever.any(axis=1)), 1))
     p = float((1 + np.count_nonzero(null >= observed[best])) / (count + 1))
     return Unlogged(ALL_SYMBOLS[best], float(np.sqrt(max(variance, 0.0))), p, float(np.sqrt(max(variance, 0) * power)))
+
+
+def uneven_noise(rows: Rows, q, kind, count: int = 199, seed: int = 0) -> Unlogged | None:
+    """The component (times x, y, z or nothing) whose lever the spread of the residual follows most.
+
+    q : (P, 3) positions.  kind : (R,) direction of sensing; squares are compared within each.  The null permutes them.
+    """
+    used = rows.lever.any(axis=1)
+    point = np.repeat(np.arange(len(rows.start)), np.diff(np.r_[rows.start, len(rows.residual)]))
+    places = [("", np.ones(len(q)))] + [(n, q[:, i]) for i, n in enumerate("xyz")]
+    kinds = [np.flatnonzero(used & (kind == k)) for k in np.unique(kind)]
+    kinds = [k for k in kinds if len(k) > 30]
+    if not kinds:
+        return None
+    rows_used = np.concatenate(kinds)
+    follow, labels = [], []
+    for name, place in places:
+        power = rows.lever**2 * (place[point] ** 2)[:, None]
+        for part in kinds:
+            power[part] -= power[part].mean(axis=0)
+        follow.append(power[rows_used])
+        labels += [(s, name) for s in ALL_SYMBOLS]
+    x = np.concatenate(follow, axis=1)
+    norm = np.sqrt((x**2).sum(axis=0))
+    good = norm > 1e-9 * max(float(norm.max(initial=0.0)), 1e-300)
+    x = np.where(good, x / np.where(good, norm, 1.0), 0.0)
+    square = rows.residual**2
+    centred = [square[part] - square[part].mean() for part in kinds]
+    observed = x.T @ np.concatenate(centred)
+    rng = np.random.default_rng(seed)
+    null = np.array([(x.T @ np.concatenate([rng.permutation(c) for c in centred])).max() for _ in range(count)])
+    best = int(np.argmax(observed))
+    p = float((1 + np.count_nonzero(null >= observed[best])) / (count + 1))
+    variance = max(float(observed[best] / norm[best]), 0.0)
+    symbol, name = labels[best]
+    place = dict(places)[name]
+    power = float((rows.lever[rows_used, ALL_SYMBOLS.index(symbol)] ** 2 * place[point[rows_used]] ** 2).mean())
+    return Unlogged(symbol, float(np.sqrt(variance)), p, float(np.sqrt(variance * power)), name)

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A smooth surface over one or two columns, to locate what no shape explains and to predict it - never to name it.
+
+Gaussian bumps on a grid over the columns, on one component, with a common prior on their heights; the evidence (marginal
+likelihood) chooses component, columns and resolution, so that wide and narrow features compete fairly.
+"""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from .bank import Shape
+from .scan import Rows
+
+COARSE = 8
+RESOLUTIONS = (5, 8, 13, 20)
+MOST_BUMPS = 200
+FEW_LEVELS = 4
+PRIORS = 4.0 ** np.arange(-6, 10)  # ratio of prior to noise, in units of the mean information of a bump
+
+
+@dataclass(frozen=True)
+class Surface:
+    """component (index), columns, bumps per column, domains ((low, high), ...), evidence (nats), gain and freedom."""
+
+    component: int
+    columns: tuple[str, ...]
+    bumps: tuple[int, ...]
+    domains: tuple[tuple[float, float], ...]
+    evidence: float
+    gain: float
+    freedom: float
+    mix: np.ndarray  # (features, k) directions that the readings determine
+
+    def shape(self) -> Shape:
+        """As a shape that the tracer can fit and the machine can store."""
+        parameters = {"bumps": self.bumps, "domains": self.domains, "mix": self.mix}
+        return Shape("*".join(self.columns), "smooth", parameters, self.mix.shape[1])
+
+
+def bump_features(columns, names, bumps, domains) -> np.ndarray:
+    """(P, product of bumps) Gaussian bumps; a column beyond its domain is held at the edge."""
+    out = None
+    for name, count, (low, high) in zip(names, bumps, domains, strict=True):
+        x = np.clip((np.asarray(columns[name], dtype=float) - low) / (high - low), 0.0, 1.0)
+        centres = np.linspace(0, 1, count)
+        width = 1.0 / max(count - 1, 1)
+        table = np.exp(-0.5 * ((x[:, None] - centres) / width) ** 2)
+        out = table if out is None else (out[:, :, None] * table[:, None, :]).reshape(len(x), -1)
+    return out
+
+
+def _fit(rows: Rows, component: int, features):
+    """Eigen-decomposition of the projected information: (values, vectors, scores)."""
+    across, squares, residual = rows.per_point(component)
+    inner = (features * squares[:, None]).T @ features
+    shown = features.T @ across
+    values, vectors = np.linalg.eigh(inner - shown @ shown.T)
+    values = np.maximum(values, 0.0)
+    return values, vectors, vectors.T @ (features.T @ residual)
+
+
+def _evidence(values, scores):
+    """(best log evidence against no surface, prior variance)."""
+    mean = float(values.mean())
+    if mean <= 0:
+        return 0.0, 0.0
+    a = PRIORS[:, None] / mean
+    nats = 0.5 * (a * scores**2 / (1 + a * values) - np.log1p(a * values)).sum(axis=1)
+    k = int(np.argmax(nats))
+    return float(nats[k]), float(a[k, 0])
+
+
+def _counts(columns, name, wanted: int) -> int:
+    levels = len(np.unique(columns[name]))
+    return levels if levels <= FEW_LEVELS else min(wanted, levels)
+
+
+def _domain(columns, name):
+    v = columns[name]
+    return float(np.min(v)), float(np.max(v))
+
+
+def surface(rows: Rows, columns, component: int, names, wanted) -> Surface:
+    """The surface of one component over the named columns at a resolution (bumps per column)."""
+    bumps = tuple(_counts(columns, n, w) for n, w in zip(names, wanted, strict=True))
+    domains = tuple(_domain(columns, n) for n in names)
+    features = bump_features(columns, names, bumps, domains)
+    values, vectors, scores = _fit(rows, component, features)
+    nats, prior = _evidence(values, scores)
+    keep = prior * values > 1.0
+    gain = float((scores[keep] ** 2 / np.where(values[keep] > 0, values[keep], 1.0)).sum())
+    return Surface(component, tuple(names), bumps, domains, nats, gain, float(keep.sum()), vectors[:, keep])
+
+
+def locate(rows: Rows, readings, names, components, leaders: int = 4) -> list[Surface]:
+    """Surfaces by evidence, best first: all single columns and pairs at one resolution, the leaders at several."""
+    columns = readings.columns
+    sets = [(a,) for a in names] + list(itertools.combinations(names, 2))
+    coarse = []
+    for group in sets:
+        wanted = (COARSE,) * len(group) if len(group) > 1 else (2 * COARSE,)
+        bumps = tuple(_counts(columns, n, w) for n, w in zip(group, wanted, strict=True))
+        features = bump_features(columns, group, bumps, tuple(_domain(columns, n) for n in group))
+        for c in components:
+            values, _, scores = _fit(rows, c, features)
+            coarse.append((_evidence(values, scores)[0], c, group))
+    coarse.sort(key=lambda item: -item[0])
+    best = coarse[0][0] if coarse else 0.0
+    found = []
+    for nats, c, group in coarse[:leaders]:
+        if nats < 0.5 * best:
+            continue
+        if len(group) == 1:
+            grid = [(r,) for r in (*RESOLUTIONS, 30)]
+        else:
+            grid = [g for g in itertools.product(RESOLUTIONS, repeat=2) if g[0] * g[1] <= MOST_BUMPS]
+        found.append(max((surface(rows, columns, c, group, w) for w in grid), key=lambda s: s.evidence))
+    return sorted(found, key=lambda s: -s.evidence)
