@@ -134,6 +134,7 @@ def test_many_positions_are_taken_in_pieces_without_a_seam():
     law = moments(m.all_tolerances.values())
     whole = sobol.indices(synthesis.omega(m, symbols, p.q), law)
     found = workspace.sensitivity(m, p)
+    assert_allclose(found.first, whole.first.mean(axis=0), rtol=1e-11, atol=1e-15)
     assert_allclose(found.total, whole.total.mean(axis=0), rtol=1e-11, atol=1e-15)
     assert_allclose(found.total_max, whole.total.max(axis=0), rtol=1e-11, atol=1e-15)
     assert found.variance == pytest.approx(whole.variance.mean(), rel=1e-12)
