@@ -22,7 +22,7 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import volumetric_error
 from sensworkbench.formats import readings_csv
 from sensworkbench.formats.exchange import etalon, isg
-from sensworkbench.formats.exchange.axis_tables import axis_tables
+from sensworkbench.formats.exchange.axis_tables import axis_tables, correction
 from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
 from sensworkbench.formats.exchange.coverage import FORMATS, after_compensation, expressible
 from sensworkbench.formats.exchange.remaining import remaining
@@ -187,12 +187,59 @@ BACKWARDS = {"X": (1.0, 0, 0), "Y": (0, -1.0, 0), "Z": (0, 0, 1.0)}  # Y counts 
 @pytest.mark.parametrize("fmt", sorted(CONTROLLERS))
 def test_a_controller_with_the_tables_makes_the_error_that_is_said_to_remain(fmt, structure, directions, direction):
     m = machine(structure, directions=directions, effects=EFFECTS)
-    written = write(m, fmt)
+    written = write(m, fmt, through=None)
     q = places(inside=0.95)
     left = compensated(m, q, CONTROLLERS[fmt](written.files), direction)
     said = error(after_compensation(m, fmt), q, direction, temperature=3.0)
     assert np.abs(left - said).max() < 2e-4  # um: second order, table spacing and rounding
     assert np.abs(error(m, q, direction, 3.0) - said).max() > 5e-3  # and there was something to take out
+
+
+@pytest.mark.parametrize("through", ["middle", (100.0, -50.0, -350.0)])
+@pytest.mark.parametrize("directions", [TURN, BACKWARDS])
+@pytest.mark.parametrize("structure", ["FXYZ", "XYFZ", "YFXZ"])
+@pytest.mark.parametrize("fmt", sorted(CONTROLLERS))
+def test_tables_along_lines_leave_what_is_said_and_nothing_on_the_lines(fmt, structure, directions, through):
+    tilt = effect("tilt", "EBX", "dir_x", "reversal", coefficient=12.0)
+    m = machine(structure, directions=directions, effects=(*EFFECTS[:-1], tilt), squareness="carried")
+    written = write(m, fmt, through=through)
+    q = places(inside=0.95)
+    for d in (1.0, -1.0):
+        left = compensated(m, q, CONTROLLERS[fmt](written.files), d)
+        said = error(m, q, d, 3.0) - correction(m, written.tables, q, np.full_like(q, d))
+        assert np.abs(left - said).max() < 3e-4
+    centre = np.array([0.0, 0, -250]) if through == "middle" else np.array(through)
+    # along the line of X through the point all that changes is gone (LinuxCNC: in X only)
+    line = np.repeat(centre[None], 9, axis=0)
+    line[:, 0] = np.linspace(-190, 190, 9)
+    rest = error(m, line, 1.0) - correction(m, written.tables, line, np.stack([np.ones(9), *np.zeros((2, 9))], axis=1))
+    reversal = error(m, line, 1.0) - error(m, line, 0.0)
+    if fmt == "siemens":
+        assert np.abs(rest).max() < 1e-4
+    elif fmt == "heidenhain":  # across, only the middle of a reversal is known
+        assert np.abs(rest - reversal * [0, 1, 1]).max() < 1e-4
+    else:
+        assert np.abs(rest[:, 0]).max() < 1e-4
+    text = statement(m, written)
+    assert "EAX" in text and "held only along the lines of the axes through" in text
+
+
+def test_lines_do_not_care_how_a_fit_shared_an_error():
+    """EBZ and EXZ cannot be told apart with one tool; the tables must not depend on the choice."""
+    lever = machine("FXYZ").lever_arms(np.zeros((1, 3)))["Z"][0]
+    unit = {"basis": "legendre", "domain": list(TRAVEL["Z"])}
+    rotation = unit | {"coefficients": [0, 10.0], "unit": "urad"}
+    one = machine("FXYZ", fitted={"EBZ": rotation})
+    shift = lambda v: unit | {"coefficients": [0, 10.0 * v * 1e-3], "unit": "um"}  # noqa: E731
+    other = machine("FXYZ", fitted={"EXZ": shift(lever[2]), "EZZ": shift(-lever[0])})
+    q = places()
+    assert error(one, q) == pytest.approx(error(other, q), abs=1e-12)
+    moved = [siemens_shift(write(m, "siemens").files)(q, 1) for m in (one, other)]
+    assert moved[0] == pytest.approx(moved[1], abs=2e-6) and np.abs(moved[0]).max() > 1e-4
+    with pytest.raises(Refused, match="nothing in this machine"):
+        write(one, "siemens", through=None)
+    with pytest.raises(Refused, match="no position"):
+        write(one, "siemens", through="here")
 
 
 def test_both_linuxcnc_types_move_the_machine_the_same_way():
@@ -500,10 +547,12 @@ def test_the_error_that_remains_is_that_of_the_workspace(fmt):
         (r.rms_before_um, r.max_before_um, m),
         (r.rms_after_um, r.max_after_um, after_compensation(m, fmt)),
     ):
-        length = np.concatenate([np.linalg.norm(error(what, q, d), axis=1) for d in (1.0, -1.0)]) * 1e3
+        vectors = np.concatenate([error(what, q, d) for d in (1.0, -1.0)])
+        length = np.linalg.norm(vectors - vectors.mean(axis=0), axis=1) * 1e3
         assert rms == pytest.approx(np.sqrt((length**2).mean()))
         assert largest == pytest.approx(length.max())
-    text = statement(m, write(m, fmt))
+    written = write(m, fmt) if fmt in ("isg", "etalon") else write(m, fmt, through=None)
+    text = statement(m, written)
     assert f"before compensation: rms {r.rms_before_um:.2f} um" in text
     assert f"after compensation:  rms {r.rms_after_um:.2f} um" in text and "not known here: heat" in text
     assert remaining(machine(), "isg").max_after_um == pytest.approx(0, abs=1e-9)

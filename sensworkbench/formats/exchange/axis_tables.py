@@ -3,24 +3,29 @@
 
 The value is the *error* of the output axis, actual minus commanded tool position along its positive direction (ISO
 sign, tool relative to workpiece, on both sides of the machine), mm; each writer turns it into what its controller
-expects.  Steps are halved until linear interpolation is good to `TABLE_GOAL_MM`, or the controller's table is full.
+expects.  Tables hold the translations of the model, or (`through`) the whole error along the three lines through a
+point, as a laser would measure it there.  Steps are halved until
+linear interpolation is good to `TABLE_GOAL_MM`, or the controller's table is full.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from sensworkbench.closedloop.effects import effect_motion
+from sensworkbench.closedloop.predict import predict
+from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.errors import AXES, SQUARENESS_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 
-from .coverage import Coverage, drive
+from .coverage import DIRECTION, Coverage, Drive, drive, line_obstacle
 from .series import as_direction, series, squareness
 
 TABLE_GOAL_MM = 2e-5
+NOTHING_MM = 1e-8  # a table whose largest value is below this is not written
 
 
 @dataclass(frozen=True)
@@ -42,10 +47,16 @@ class AxisTable:
         return not np.array_equal(self.plus, self.minus)
 
 
-def axis_tables(machine: Machine, coverage: Coverage, limit: int) -> dict[tuple[str, str], AxisTable]:
-    """(source axis, output axis) -> table of everything that `coverage` lists; at most `limit` points each."""
+def axis_tables(machine: Machine, coverage: Coverage, limit: int, through=None) -> dict[tuple[str, str], AxisTable]:
+    """(source axis, output axis) -> table of everything that `coverage` lists; at most `limit` points each.
+
+    through : (3,) programmed position, mm: the tables then hold the whole error along the lines through it.
+    """
     machine = as_direction(machine)
-    parts = _contributions(machine, coverage)
+    if through is None:
+        parts = _contributions(machine, coverage)
+    else:
+        parts = _lines(machine, coverage.format, np.asarray(through, dtype=float))
     tables = {}
     for source in AXES:
         pairs = [(s, o) for s, o in parts if s == source]
@@ -80,6 +91,53 @@ def _contributions(machine: Machine, coverage: Coverage) -> dict[tuple[str, str]
             source = at.direction or at.axes[0]
             add(source, AXES[component(effect.component).axis], lambda q, d, e=effect, s=source: _effect(e, s, q, d))
     return parts
+
+
+def _lines(machine: Machine, fmt: str, through) -> dict[tuple[str, str], list[Callable]]:
+    """The whole error along the line of each axis through a point; the error at the point itself is in the own tables.
+
+    Reversals of the other axes stand in the middle; effects that no table of positions can follow are left out.
+    """
+    known = tuple(e for e in machine.effects if isinstance(drive(e), Drive))
+    machine = replace(machine, effects=known, fitted=machine.fitted or {})
+    u = machine.directions
+
+    def error(q, direction):
+        columns = dict(zip(DIRECTION, direction.T, strict=True))
+        places = Readings.from_vectors(q, np.full_like(q, np.nan), columns)
+        return predict(machine, places, alignment=False)
+
+    at = error(through[None], np.zeros((1, 3)))[0]
+    parts: dict[tuple[str, str], list[Callable]] = {}
+    for i, source in enumerate(AXES):
+        for output in AXES:
+            if line_obstacle(fmt, source, output, False):
+                continue
+            reverses = not line_obstacle(fmt, source, output, True)
+
+            def along(q, d, i=i, output=output, reverses=reverses, own=source == output):
+                line = np.repeat(through[None], len(q), axis=0)
+                line[:, i] = q
+                direction = np.zeros_like(line)
+                direction[:, i] = d if reverses else 0.0
+                return (error(line, direction) - (0.0 if own else at)) @ u[output]
+
+            probe = machine.axes[source].travel
+            grid = np.linspace(*probe, 17)
+            if max(np.abs(along(grid, d)).max() for d in (1.0, -1.0)) > NOTHING_MM:
+                parts[source, output] = [along]
+    return parts
+
+
+def correction(machine: Machine, tables: dict[tuple[str, str], AxisTable], q, direction) -> np.ndarray:
+    """(P, 3) mm in the machine frame: what the tables take out at q (P, 3) mm, approached by direction (P, 3)."""
+    q, direction = np.asarray(q, dtype=float), np.asarray(direction, dtype=float)
+    u, out = machine.directions, np.zeros_like(q)
+    for (source, output), table in tables.items():
+        i = AXES.index(source)
+        plus, minus = (np.interp(q[:, i], table.position, v) for v in (table.plus, table.minus))
+        out += np.where(direction[:, i] < 0, minus, plus)[:, None] * u[output]
+    return out
 
 
 def _effect(effect, source, q, direction):

@@ -42,43 +42,52 @@ SIGNS = {
 
 @dataclass(frozen=True)
 class Written:
-    """files : name -> text.  coverage : None for fcm.  notes : sentences about this conversion."""
+    """files : name -> text.  coverage : None for fcm.  notes : sentences about this conversion.  tables : of axes."""
 
     format: str
     files: dict[str, str]
     coverage: Coverage | None
     notes: tuple[str, ...] = field(default=())
+    tables: dict | None = None
 
 
 def write(machine: Machine, fmt: str, **options) -> Written:
-    """The files of format `fmt` as texts.  Options: linuxcnc file_type; heidenhain style; siemens axis_names,
-    measuring_system, reference, cec_sign; fcm base (text of a file to keep the rest of)."""
+    """The files of format `fmt` as texts.
+
+    Options: linuxcnc file_type; heidenhain style; siemens axis_names, measuring_system, reference, cec_sign; fcm base
+    (text of a file to keep the rest of).  Axis tables take `through`: they hold the whole error along the lines of
+    the axes through a position, (x, y, z) mm or "middle" of the travel (the default), or with None the translations of
+    the model only.  Lines are the better choice: they do not depend on how a fit shares an error between a translation
+    and a rotation that the readings could not tell apart.
+    """
     if fmt == "fcm":
         notes = tuple(f"Not held: {what}." for what in fcm.lost(machine))
         return Written(fmt, {"machine.fcm": fcm.dumps(machine, **options)}, None, notes)
     if fmt not in FORMATS:
         raise Refused(f"unknown format {fmt!r}", "format", f"Use one of {', '.join(FORMATS_OUT)}.")
-    coverage = expressible(machine, fmt)
-    if not coverage.symbols and not coverage.effects:
+    through = _position(machine, options.pop("through", "middle")) if fmt in AXIS_WRITERS else None
+    coverage = expressible(machine, fmt, through)
+    tables = axis_tables(machine, coverage, AXIS_WRITERS[fmt].LIMIT, through) if fmt in AXIS_WRITERS else None
+    if not tables and not (tables is None and (coverage.symbols or coverage.effects)):
         why = f"; {coverage.missing[0][0]}: {coverage.missing[0][1]}" if coverage.missing else ""
         do = "Fit readings first (trace), or choose another format."
         raise Refused(f"nothing in this machine can be written as {FORMATS[fmt]}{why}", machine.name, do)
     notes = [SIGNS[fmt]]
     if fmt in AXIS_WRITERS:
-        module = AXIS_WRITERS[fmt]
-        tables = axis_tables(machine, coverage, module.LIMIT)
-        files = module.files(tables, **options)
+        files = AXIS_WRITERS[fmt].files(tables, **options)
         for (source, output), t in tables.items():
             text = f"{output} by {source}: {len(t.position)} points every {t.position[1] - t.position[0]:g} mm"
             notes.append(f"{text}, interpolation error {t.interpolation * 1e3:.3f} um.")
     else:
-        tables = sampled(machine, coverage)
+        parametric = sampled(machine, coverage)
         module = {"isg": isg, "etalon": etalon}[fmt]
         name = "errors_isg.csv" if fmt == "isg" else "errors_etalon.txt"
-        files = {name: module.dumps(tables, f"machine {_line(machine.name)}", **options)}
-        records = sum(len(t.values) for t in tables.tables)
-        notes.append(f"{len(tables.tables)} tables with {records} values, and {len(tables.constants)} constants.")
-        for t in tables.tables:
+        files = {name: module.dumps(parametric, f"machine {_line(machine.name)}", **options)}
+        records = sum(len(t.values) for t in parametric.tables)
+        notes.append(
+            f"{len(parametric.tables)} tables with {records} values, and {len(parametric.constants)} constants."
+        )
+        for t in parametric.tables:
             if t.interpolation > (2e-7 if t.symbol[1] in "ABC0" else 2e-4):
                 unit = "urad" if t.symbol[1] in "ABC0" else "um"
                 size = t.interpolation * (1e6 if unit == "urad" else 1e3)
@@ -87,7 +96,19 @@ def write(machine: Machine, fmt: str, **options) -> Written:
         notes.append("Squareness carried to later links is written as tilt of direction plus constant rotations.")
     if (machine.fitted or {}).get("alignment"):
         notes.append("The alignment of the measuring set-up is not part of the tables.")
-    return Written(fmt, files, coverage, tuple(notes))
+    return Written(fmt, files, coverage, tuple(notes), tables)
+
+
+def _position(machine: Machine, through) -> tuple[float, float, float] | None:
+    if through is None:
+        return None
+    if through == "middle":
+        return tuple(float(v) for v in machine.travel.mean(axis=1))
+    try:
+        x, y, z = (float(v) for v in through)
+    except (TypeError, ValueError):
+        raise Refused(f"{through!r} is no position", "through", 'Give x, y, z in mm, or "middle".') from None
+    return x, y, z
 
 
 def _line(text: str) -> str:
@@ -105,12 +126,12 @@ def statement(machine: Machine, written: Written) -> str:
         lines += ["", "Not covered:" if c.missing else "Everything is covered."]
         reasons = dict.fromkeys(why for _, why in c.missing)
         lines += [f"  {', '.join(n for n, w in c.missing if w == why)}: {why}." for why in reasons]
-        lines += ["", *_figures(remaining(machine, written.format)), ""]
+        lines += ["", *_figures(remaining(machine, written.format, tables=written.tables)), ""]
     return "\n".join([*lines, *written.notes]) + "\n"
 
 
 def _figures(r: Remaining):
-    yield "Predicted error over the workspace (length of the error vector, both directions of approach):"
+    yield "Predicted error over the workspace (length of the error vector about its mean, both directions of approach):"
     yield f"  before compensation: rms {r.rms_before_um:.2f} um, largest {r.max_before_um:.2f} um"
     yield f"  after compensation:  rms {r.rms_after_um:.2f} um, largest {r.max_after_um:.2f} um"
     if r.left_out:

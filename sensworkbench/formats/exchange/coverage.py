@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from sensworkbench.core.drivers import Effect, driver_columns
-from sensworkbench.core.errors import AXES, SQUARENESS, TRANSLATION, component
+from sensworkbench.core.errors import AXES, COMPONENTS, ROTATION, SQUARENESS, TRANSLATION, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
@@ -90,12 +90,23 @@ def _axis_table(fmt: str, symbol: str, at: Drive) -> str:
     inputs = set(at.axes) | ({at.direction} - {""})
     if len(inputs) != 1:
         return "a table depends on the position of one axis"
-    (source,) = inputs
-    if fmt == "linuxcnc" and source != along:
+    return line_obstacle(fmt, *inputs, along, bool(at.direction))
+
+
+def line_obstacle(fmt: str, source: str, output: str, reverses: bool) -> str:
+    """Why the controller has no table that shifts `output` by the position (and direction) of `source`."""
+    if fmt == "linuxcnc" and source != output:
         return "a table shifts an axis by its own position only"
-    if fmt == "heidenhain" and at.direction and source != along:
+    if fmt == "heidenhain" and reverses and source != output:
         return "the table knows the direction of travel only for the axis's own shift"
     return ""
+
+
+def _on_lines(fmt: str, symbol: str, at: Drive) -> bool:
+    """Whether tables of the whole error along lines through a point follow it there, though not elsewhere."""
+    c = component(symbol)
+    inputs = set(at.axes) | ({at.direction} - {""})
+    return c.kind != TRANSLATION or (len(inputs) > 1 and (fmt != "linuxcnc" or AXES[c.axis] in inputs))
 
 
 def obstacle(fmt: str, symbol: str, at: Drive) -> str:
@@ -110,8 +121,12 @@ def _declared_obstacle(fmt: str, symbol: str) -> str:
     return obstacle(fmt, symbol, Drive((c.body,)))
 
 
-def expressible(machine: Machine, fmt: str) -> Coverage:
-    """What `fmt` can hold of the fitted errors and the enabled effects, and the reason for each that it cannot."""
+def expressible(machine: Machine, fmt: str, through=None) -> Coverage:
+    """What `fmt` can hold of the fitted errors and the enabled effects, and the reason for each that it cannot.
+
+    through : position of axis tables that hold the whole error along lines; rotations are then held there only, which
+    their reason says.
+    """
     check_format(fmt)
     machine = as_direction(machine)
     symbols, effects, missing = [], [], []
@@ -130,6 +145,13 @@ def expressible(machine: Machine, fmt: str) -> Coverage:
             missing.append((effect.name, why))
         else:
             effects.append(effect.name)
+    if through is not None and fmt not in ("isg", "etalon"):
+        there = "held only along the lines of the axes through ({:g}, {:g}, {:g}) mm".format(*through)
+        turned = {
+            e.name for e in machine.effects if isinstance(d := drive(e), Drive) and _on_lines(fmt, e.component, d)
+        }
+        turned |= {s for s, _ in missing if s in COMPONENTS and COMPONENTS[s].kind == ROTATION}
+        missing = [(name, there if name in turned else why) for name, why in missing]
     return Coverage(fmt, tuple(symbols), tuple(effects), tuple(missing))
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The predicted error over the workspace before compensation and after it, by the program's own predictor.
 
-Positions are a grid over the travel, each approached from both sides; effects that need other columns (temperatures,
-time, loads) are left out of both figures and named, since a workspace has no temperature of its own.
+Positions are a grid over the travel, each approached from both sides.  A constant shift is not counted, before or
+after: setting the work offset takes it up, and tables move it when they are zeroed somewhere else.  Effects that need
+other columns (temperatures, time, loads) are left out of both figures and named, since a workspace has no temperature.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from sensworkbench.core.drivers import driver_columns
 from sensworkbench.core.errors import AXES
 from sensworkbench.core.machine import Machine
 
+from .axis_tables import correction
 from .coverage import DIRECTION, POSITION, after_compensation
 
 GRID = 7
@@ -43,10 +45,11 @@ def workspace(machine: Machine, count: int = GRID) -> Readings:
     return Readings.from_vectors(q, np.full_like(q, np.nan), columns)
 
 
-def remaining(machine: Machine, fmt: str, positions: Readings | None = None) -> Remaining:
+def remaining(machine: Machine, fmt: str, positions: Readings | None = None, tables=None) -> Remaining:
     """The error that the tables of `fmt` leave, in the machine's own frame (the set-up's alignment is left out).
 
-    positions : places and conditions to judge at; without them the workspace grid.
+    positions : places and conditions to judge at; without them the workspace grid.  tables : axis tables to judge
+    instead of what the format could hold at best.
     """
     left_out: tuple[str, ...] = ()
     if positions is None:
@@ -59,8 +62,15 @@ def remaining(machine: Machine, fmt: str, positions: Readings | None = None) -> 
         )
     effects = tuple(replace(e, enabled=False) if e.name in left_out else e for e in machine.effects)
     machine = replace(machine, effects=effects, fitted=machine.fitted or {})
+    before = predict(machine, positions, alignment=False)
+    if tables is None:
+        after = predict(after_compensation(machine, fmt), positions, alignment=False)
+    else:
+        none = np.zeros(positions.points)
+        direction = np.stack([positions.columns.get(name, none) for name in DIRECTION], axis=1)
+        after = before - correction(machine, tables, positions.q, direction)
     figures = []
-    for m in (machine, after_compensation(machine, fmt)):
-        length = np.linalg.norm(predict(m, positions, alignment=False), axis=1) * 1e3
+    for error in (before, after):
+        length = np.linalg.norm(error - error.mean(axis=0), axis=1) * 1e3
         figures += [float(np.sqrt((length**2).mean())), float(length.max())]
     return Remaining(*figures, left_out)
