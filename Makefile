@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# make demo    an example machine from FreeCAD parts to coloured document, pictures, report, tables: build/demo/
+# make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
 # make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
 # Both install what is missing (Debian: apt, as root or with sudo; test-only packages go into .venv).
 

@@ -190,7 +190,7 @@ def simulate(machine: Machine, errors: dict, squareness: dict, q, temperature, b
 
 def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
     """Simulate readings with an undeclared effect, trace them, predict new ones; returns what came out, in words."""
-    from sensworkbench.closedloop.predict import predict
+    from sensworkbench.closedloop.predict import extrapolated, predict
     from sensworkbench.closedloop.trace import trace
 
     rng = np.random.default_rng(seed)
@@ -218,7 +218,8 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         trace_run.write(work, outcome)
         positions = readings_csv.load_positions(work / "positions.csv")
         predicted = predict(outcome.machine, positions)
-        readings_csv.save_predicted(work / "predicted.csv", work / "positions.csv", positions, predicted)
+        outside = extrapolated(outcome.machine, positions)
+        readings_csv.save_predicted(work / "predicted.csv", work / "positions.csv", positions, predicted, outside)
         truth = simulate(machine, errors, squareness, new[0], new[2])
     held = {k: v["held_out"]["rms_um"] for k, v in outcome.report["error"].items() if isinstance(v, dict)}
     off = float(np.sqrt(((1e3 * (predicted - truth)) ** 2).sum(axis=1).mean()))
