@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Run pytest inside FreeCAD, headless or in a window, with the true exit status on every version.
 
-    python3 tests/run_in_freecad.py [--gui] [--keep DIR] PYTEST-ARGS...
+    python3 tests/run_in_freecad.py [--gui] PYTEST-ARGS...
 
-The add-on is linked into the Mod folder of a throw-away user home (FreeCAD restores Python objects only from there), and
-a window opens on a private X server without start page, splash or animation.  SENS_FREECADCMD and SENS_FREECAD name
+The add-on is linked into the Mod folder of a throw-away user home (FreeCAD restores Python objects only from there).  A
+window opens on a private X server without start page, splash or animation.  SENS_FREECADCMD and SENS_FREECAD name
 the programs where they are not on the path; SENS_TEST_TIMEOUT limits a run (seconds, default 1800).
 """
 

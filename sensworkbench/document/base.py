@@ -152,7 +152,7 @@ def dress(obj) -> None:
 
 # -- finding ---------------------------------------------------------------------------------------------------------
 def kind_of(obj) -> str:
-    """"Machine", "Axis", "Body", "Tolerances", "Sensitivity", "Effect", or "" for anything else."""
+    """ "Machine", "Axis", "Body", "Tolerances", "Sensitivity", "Effect", or "" for anything else."""
     return getattr(obj, "SensType", "") if hasattr(obj, "SchemaVersion") else ""
 
 

@@ -207,9 +207,7 @@ def save_copy(opened: Opened, path_out) -> Path:
         path_out.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path_out.stem}-", suffix=".FCStd", dir=path_out.parent)
     except OSError as error:
-        raise Refused(
-            f"cannot be written: {error.strerror or error}", str(path_out), "Choose another place."
-        ) from None
+        raise Refused(f"cannot be written: {error.strerror or error}", str(path_out), "Choose another place.") from None
     os.close(handle)
     work = Path(name)
     try:

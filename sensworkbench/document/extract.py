@@ -107,7 +107,9 @@ def check_chains(machine) -> dict[str, object]:
             )
         if axis is None:
             raise Refused(
-                f"the chain does not connect: axis {name} has no axis object", where, f"Add axis {name} and its carriage."
+                f"the chain does not connect: axis {name} has no axis object",
+                where,
+                f"Add axis {name} and its carriage.",
             )
         if not parts_of(machine, name):
             raise Refused(

@@ -104,7 +104,32 @@ def centre_of_mass(where: list[Place]) -> App.Vector | None:
     total, mass = App.Vector(), 0.0
     for leaf in (leaf for w in where for leaf in leaves(w)):
         shape = leaf.shape()
-        for solid in shape.Solids if shape is not None else ():
-            total += solid.CenterOfMass * solid.Volume
-            mass += solid.Volume
+        if shape is not None and shape.Solids:
+            centre, volume = _mass(leaf, shape)
+            total += centre * volume
+            mass += volume
     return total * (1 / mass) if mass > 0 else None
+
+
+def _mass(leaf: Place, shape) -> tuple[App.Vector, float]:
+    """(centre, volume) of the solids of `shape`, which stands at `leaf`.
+
+    Remembered for the geometry without its place, so that moving a part does not integrate it again.
+    """
+    real = _real(leaf)
+    key = (real.Document.Name, real.Name)
+    known = _known_masses.get(key)
+    if known is None or not known[0].isPartner(shape):
+        solids = [(s.CenterOfMass, s.Volume) for s in shape.Solids]
+        volume = sum(v for _, v in solids)
+        centre = App.Vector()
+        for middle, part in solids:
+            centre += middle * (part / volume)
+        if len(_known_masses) >= KNOWN_LIMIT:
+            _known_masses.pop(next(iter(_known_masses)))
+        known = _known_masses[key] = (shape, shape.Placement.inverse().multVec(centre), volume)
+    return shape.Placement.multVec(known[1]), known[2]
+
+
+KNOWN_LIMIT = 512
+_known_masses: dict = {}  # (document, object) -> (shape, centre in the shape's own frame, volume)

@@ -21,27 +21,8 @@ from ..core.refusal import Refused
 NAMES = ("freecadcmd", "FreeCADCmd", "freecad.cmd", "freecadcmd-daily")
 ROOT = Path(__file__).resolve().parents[2]
 
-# What FreeCAD runs.  Loading our objects before a document is opened is what lets FreeCAD restore them, add-on or not.
-# The verb's own output goes to the caller's streams; FreeCAD's banner and progress go nowhere.
-CODE = """
-import json, os, runpy, sys, traceback
-status = 1
-try:
-    job = json.loads(os.environ.pop("SENS_HANDOFF"))
-    sys.path.insert(0, job["root"])
-    streams = [os.fdopen(fd, "w", encoding="utf-8", errors="replace") for fd in job["streams"]]
-    sys.stdout, sys.stderr = streams or (sys.__stdout__, sys.__stderr__)
-    sys.argv = ["sensworkbench"] + job["argv"]
-    import sensworkbench.document.objects
-    runpy.run_module("sensworkbench", run_name="__main__", alter_sys=True)
-    status = 0
-except SystemExit as end:
-    status = end.code if isinstance(end.code, int) else 0 if end.code is None else 1
-except BaseException:
-    traceback.print_exc()
-sys.stdout.flush(); sys.stderr.flush()
-os._exit(status)
-"""
+# What FreeCAD is told.  Short on purpose: 1.1 takes code of more than 255 characters for a file name, and dies of it.
+CODE = "import os, runpy; runpy.run_path(os.environ['SENS_HANDOFF_SCRIPT'])"
 
 
 def freecadcmd() -> str:
@@ -69,7 +50,8 @@ def run(argv: Sequence[str]) -> int:
     shared = os.name == "posix"  # elsewhere a child cannot be given streams, and FreeCAD's chatter stays in between
     streams = [os.dup(stream.fileno()) for stream in _streams()] if shared else []
     job = {"argv": [str(a) for a in argv], "root": str(ROOT), "streams": streams}
-    environment = dict(os.environ, SENS_HANDOFF=json.dumps(job))
+    script = Path(__file__).with_name("inside.py")
+    environment = dict(os.environ, SENS_HANDOFF=json.dumps(job), SENS_HANDOFF_SCRIPT=str(script))
     try:
         with tempfile.TemporaryFile() as chatter:
             status = subprocess.run(

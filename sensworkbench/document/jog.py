@@ -74,7 +74,9 @@ def _within_travel(axes, name, value) -> float:
     axis, value = axes[name], float(value)
     low, high = axis.TravelLower.Value, axis.TravelUpper.Value
     if not (math.isfinite(value) and low - CLOSE <= value <= high + CLOSE):
-        raise Refused(f"{value:g} mm is outside the travel {low:g} to {high:g} mm", axis.Label, "Stay inside the travel.")
+        raise Refused(
+            f"{value:g} mm is outside the travel {low:g} to {high:g} mm", axis.Label, "Stay inside the travel."
+        )
     return value
 
 

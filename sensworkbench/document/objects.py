@@ -178,8 +178,12 @@ class SensitivityObject(SensObject):
         result("StringList", "Units", "Unit each is shown in"),
         result("StringList", "Distributions", "Distribution of each error"),
         internal("String", "Fingerprint", "Digest of the machine that was computed"),
-        internal("FloatList", "Moments", "MeanSquare, Variance and EstimatedError in full (files keep 16 decimals of a "
-                                         "single number, all digits of a list)"),
+        internal(
+            "FloatList",
+            "Moments",
+            "MeanSquare, Variance and EstimatedError in full (files keep 16 decimals of a "
+            "single number, all digits of a list)",
+        ),
         internal("Bool", "Coloured", "The parts carry the colours of this result", False),
         internal("String", "OriginalColours", "How the parts looked before, as the window wrote it"),
     )

@@ -67,8 +67,20 @@ def window(along: str, a, b, low: float, high: float, radius: float):
 
 
 # -- linear ways -----------------------------------------------------------------------------------------------------
-_RAIL = [(-17, 0), (17, 0), (17, 14), (12, 18), (12, 24), (17, 28), (17, 38), (-17, 38), (-17, 28), (-12, 24),
-         (-12, 18), (-17, 14)]  # fmt: skip
+_RAIL = [
+    (-17, 0),
+    (17, 0),
+    (17, 14),
+    (12, 18),
+    (12, 24),
+    (17, 28),
+    (17, 38),
+    (-17, 38),
+    (-17, 28),
+    (-12, 24),
+    (-12, 18),
+    (-17, 14),
+]
 _BLOCK = [(-42, 8), (-20, 8), (-20, 42), (20, 42), (20, 8), (42, 8), (42, 52), (36, 58), (-36, 58), (-42, 52)]
 
 
@@ -111,7 +123,8 @@ def screw(along: str, at, low: float, high: float, radius: float = 16.0):
 def nut(along: str, at, centre: float, radius: float = 32.0):
     """Ball nut with its flange; bored for the screw."""
     shape = union(
-        cylinder(along, at, radius * 0.78, centre - 55, centre + 40), cylinder(along, at, radius, centre + 25, centre + 40)
+        cylinder(along, at, radius * 0.78, centre - 55, centre + 40),
+        cylinder(along, at, radius, centre + 25, centre + 40),
     )
     return without(shape, cylinder(along, at, radius * 0.5, centre - 60, centre + 60))
 
@@ -178,5 +191,7 @@ def ribbed_base(x, y, z, pockets, wall: float = 40.0):
     """
     shape = box(x, y, z, radius=wall)
     ranges = {"X": x, "Y": y, "Z": z}
-    cuts = [window(n, a, b, ranges[n][0] - 1, ranges[n][1] + 1, min(a[1] - a[0], b[1] - b[0]) / 3) for n, a, b in pockets]
+    cuts = [
+        window(n, a, b, ranges[n][0] - 1, ranges[n][1] + 1, min(a[1] - a[0], b[1] - b[0]) / 3) for n, a, b in pockets
+    ]
     return without(shape, *cuts)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Small machines of plain blocks whose lever arms can be worked out by hand, in every way a part can stand in a tree."""
+"""Small machines of plain blocks whose lever arms can be worked out by hand."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Fixtures for the tests that run inside FreeCAD; outside of it they are skipped (tests/run_in_freecad.py runs them)."""
+"""Fixtures for the tests that run inside FreeCAD (tests/run_in_freecad.py); outside of it they are skipped."""
 
 from __future__ import annotations
 

@@ -129,7 +129,9 @@ def test_fitted_errors_and_effects_are_written_under_their_bodies(saved, tmp_pat
 
     core, opened = batch.load_machine(saved)
     opened.close()
-    effect = Effect("growth", "EZT", "t", "approach", {"coefficient": {"value": 12.0, "unit": "um"}, "tau": {"value": 900}})
+    effect = Effect(
+        "growth", "EZT", "t", "approach", {"coefficient": {"value": 12.0, "unit": "um"}, "tau": {"value": 900}}
+    )
     fitted = {"C0Y": {"value": 3.0, "unit": "urad", "u": 0.2}}
     augmented = replace(core, fitted=fitted, effects=(effect,), declared={"EXX": 5})
     target = batch.write_augmented(saved, tmp_path / "machine_augmented.FCStd", augmented)
@@ -155,7 +157,8 @@ def test_objects_of_a_missing_add_on_are_named_and_nothing_is_written(saved, tmp
         text = source.read("Document.xml").decode()
     assert text.count("sensworkbench.document.objects") > 5
     spoilt = tmp_path / "spoilt.FCStd"
-    text = text.replace('module="sensworkbench.document.objects" class="BodyObject"', 'module="gearworld.wheel" class="Wheel"')
+    ours = 'module="sensworkbench.document.objects" class="BodyObject"'
+    text = text.replace(ours, 'module="gearworld.wheel" class="Wheel"')
     with zipfile.ZipFile(saved) as source, zipfile.ZipFile(spoilt, "w") as out:
         for name in source.namelist():
             out.writestr(name, text if name == "Document.xml" else source.read(name))

@@ -5,17 +5,26 @@ from __future__ import annotations
 
 import itertools
 
+import FreeCAD as App
 import pytest
 
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import examples, extract, factory, jog, paths, results
 
 
-@pytest.fixture(params=list(examples.NAMES))
-def example(request, doc):
-    machine = examples.make_example(doc, request.param)
-    assert machine.Structure == request.param
-    return machine
+@pytest.fixture(params=list(examples.NAMES), scope="module")
+def built(request):
+    document = App.newDocument("Example")
+    yield request.param, examples.make_example(document, request.param)
+    App.closeDocument(document.Name)
+
+
+@pytest.fixture
+def example(built):
+    structure, machine = built
+    assert machine.Structure == structure
+    yield machine
+    jog.home(machine)
 
 
 def leaves(machine):
@@ -50,10 +59,8 @@ def test_guide_blocks_stay_on_their_ways_over_the_whole_travel(example):
         for axis, i in index.items():
             ways = named[f"Ways{axis}"].BoundBox
             blocks = named[f"Blocks{axis}"].BoundBox
-            low, high = ((b.XMin, b.YMin, b.ZMin)[i] for b in (ways, blocks)), (
-                (b.XMax, b.YMax, b.ZMax)[i] for b in (ways, blocks))  # fmt: skip
-            (way_low, block_low), (way_high, block_high) = low, high
-            assert way_low <= block_low and block_high <= way_high, (axis, corner)
+            way, on_it = ((b.XMin, b.YMin, b.ZMin, b.XMax, b.YMax, b.ZMax) for b in (ways, blocks))
+            assert way[i] <= on_it[i] and on_it[i + 3] <= way[i + 3], (axis, corner)
 
 
 def test_bodies_do_not_run_into_each_other_at_the_ends_of_travel(example):

@@ -178,6 +178,61 @@ def test_the_default_direction_is_the_local_axis_of_the_same_name_and_the_refere
     assert close(y.Direction, (0, 1, 0)) and y.DirectionFrom == "local Y of CarriageY"
     assert close(y.ReferencePoint, V(*REFERENCES["Y"]) + V(10, 10, 10))
     assert y.ReferenceFrom == "centre of mass of CarriageY"
+    doc.getObject("CarriageY").Placement = P(V(1, 2, 3), R(V(0, 0, 1), 1))
+    doc.recompute()
+    assert close(y.ReferencePoint, doc.getObject("CarriageY").Shape.CenterOfMass)
+    doc.getObject("CarriageY").Length = 40
+    doc.recompute()
+    assert close(y.ReferencePoint, doc.getObject("CarriageY").Shape.CenterOfMass)
+
+
+def test_the_centre_of_mass_of_a_carriage_of_several_parts_weighs_them(doc):
+    machine = golden_machine(doc)
+    pair = doc.addObject("App::Part", "Pair")
+    block(doc, "Small", (0, 0, 0), 10, pair)
+    large = block(doc, "Large", (100, 0, 0), 20, pair)
+    hole = doc.addObject("Part::Cut", "Bored")  # what a feature of the container has consumed does not count twice
+    hole.Base, hole.Tool = large, block(doc, "Drill", (100, 0, 0), 10, pair)
+    pair.addObject(hole)
+    x = factory.axis_of(machine, "X")
+    x.Parts, x.ReferenceSource = [(pair, "")], None
+    doc.recompute()
+    masses = [(V(5, 5, 5), 1000), (V(110, 10, 10), 8000), (V(105, 5, 5), -1000)]
+    expected = sum((c * m for c, m in masses), V()) * (1 / 8000)
+    assert close(x.ReferencePoint, expected, 1e-6)
+
+
+def test_bodies_folders_and_origin_axes(doc):
+    machine = golden_machine(doc)
+    body = doc.addObject("PartDesign::Body", "Carrier")
+    box = body.newObject("PartDesign::AdditiveBox", "Pad")
+    body.Placement = P(V(0, 0, 30), R(V(0, 0, 1), 90))
+    folder = doc.addObject("App::DocumentObjectGroup", "Folder")
+    extra = block(doc, "Extra", (1, 1, 1))
+    folder.addObject(body)
+    folder.addObject(extra)
+    doc.recompute()
+    x = factory.axis_of(machine, "X")
+    x.Parts = [(folder, "")]
+    origin = body.Origin
+    y_axis = next(o for o in origin.OriginFeatures if o.Name.startswith("Y_Axis"))
+    plane = next(o for o in origin.OriginFeatures if o.Name.startswith("XZ_Plane"))
+    for source, sign in ((y_axis, -1), (plane, None)):  # both along the body's local y, which points to -x
+        x.DirectionSource = (body, [f"{origin.Name}.{source.Name}."])
+        doc.recompute()
+        assert machine.Problem == ""
+        assert abs(x.Direction.x) == pytest.approx(1)
+        assert sign is None or x.Direction.x == pytest.approx(sign)
+    x.DirectionSource = None
+    x.DirectionAlong, x.Reverse = "Local Y", True
+    doc.recompute()
+    names = {w.object.Name for w in extract.parts_of(machine, "X")}
+    assert names == {"Carrier", "Extra"}
+    assert extract.owner_of(machine, box) == "X" and extract.owner_of(machine, body, "Pad.Face1") == "X"
+    assert extract.owner_of(machine, doc.getObject("Bed")) == "F"
+    jog.jog(machine, {"X": 5})
+    assert close(body.Placement.Base, (-5, 0, 30)) and close(extra.Placement.Base, (-4, 1, 1))
+    assert close(box.Placement.Base, (0, 0, 0))
 
 
 def test_a_skew_of_less_than_five_degrees_is_reported(doc):

@@ -165,6 +165,29 @@ def test_a_part_inside_a_link_is_refused_because_every_copy_would_move(doc):
         jog.jog(machine, {"X": 10})
 
 
+def test_parts_held_by_a_joint_are_refused(doc):
+    joints = pytest.importorskip("JointObject", reason="this FreeCAD has no assembly workbench")
+    utilities = pytest.importorskip("UtilsAssembly")
+    assembly = doc.addObject("Assembly::AssemblyObject", "Assembly")
+    assembly.Type = "Assembly"
+    group = assembly.newObject("Assembly::JointGroup", "Joints")
+    machine = golden_machine(doc, parent=assembly)
+    joint = group.newObject("App::FeaturePython", "SliderX")
+    joints.Joint(joint, joints.JointTypes.index("Slider"))
+    joint.Detach1 = joint.Detach2 = True
+    carriages = [doc.getObject("CarriageY"), doc.getObject("CarriageX")]
+    for i, carriage in enumerate(carriages, 1):
+        newer = hasattr(utilities, "getComponentReference")
+        reference = [carriage, ["", ""]] if newer else [assembly, [carriage.Name + "."] * 2]
+        setattr(joint, f"Reference{i}", reference)
+    doc.recompute()
+    before = stand(doc)
+    with pytest.raises(Refused) as refusal:
+        jog.jog(machine, {"X": 10})
+    assert "SliderX" in refusal.value.message and "CarriageX" in refusal.value.message
+    assert all(by.Length == 0 for by in moved(doc, before).values())
+
+
 def test_a_position_by_expression_is_reported_because_a_recompute_moves_nothing(doc):
     machine = golden_machine(doc)
     before = stand(doc)

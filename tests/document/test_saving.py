@@ -9,7 +9,8 @@ import FreeCAD as App
 import numpy as np
 import pytest
 
-from sensworkbench.core import distributions, machine as core, workspace
+from sensworkbench.core import distributions, workspace
+from sensworkbench.core import machine as core
 from sensworkbench.core.drivers import Effect
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import base, extract, factory, jog, objects, results, tables
@@ -26,9 +27,7 @@ PROXIES = [c for c in vars(objects).values() if isinstance(c, type) and issubcla
 def everything(doc):
     machine = golden_machine(doc, "YFXZ")
     factory.make_effect(machine, EFFECT)
-    tables.write_tolerances(
-        machine, {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}, {"EAX": "arcsec"}
-    )
+    tables.write_tolerances(machine, {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}, {"EAX": "arcsec"})
     machine.Declared = {"EXX": "5"}
     machine.Extra = json.dumps({"x-maker": "someone"})
     results.compute(machine)
