@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
 # make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
-# Both install what is missing (Debian: apt, as root or with sudo; test-only packages go into .venv).
+# make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor
+# What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -11,7 +12,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-core test-document test-gui clean
+.PHONY: help system venv demo test test-style test-core test-document test-gui bench clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -44,6 +45,9 @@ test-document: system venv
 
 test-gui: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py --gui tests/gui
+
+bench: venv
+	$(VENV_PYTHON) benchmarks/indices.py
 
 clean:
 	rm -rf build

@@ -57,10 +57,16 @@ footer { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: .6rem
 @media print { :root { color-scheme: light; --ink: #000; --soft: #444; --line: #bbb; --paper: #fff; --tint: #f6f6f6;
   --mark: #1f5f99; --bar: #9dbfdf; --warn: #9a5b00; }
   body { max-width: none; padding: 0; font-size: 10pt; } h2 { break-after: avoid; }
-  figure, tr, .tiles, .note { break-inside: avoid; } .wide { overflow: visible; }
+  figure, tr, .tiles, .note, .short { break-inside: avoid; } .wide { overflow: visible; }
+  table { font-size: 8pt; } th, td { padding: .1rem .35rem; } .meter { min-width: 4rem; }
+  .meter i { margin-top: .2rem; }
+  figure img { max-height: 100mm; width: auto; } h2 { margin-top: 1.6rem; } .tile b { font-size: 1.1rem; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } }
 @page { margin: 16mm 14mm; }
 """
+
+
+_SHORT = 12  # rows of a table that stays on one sheet of paper
 
 
 class Html(str):
@@ -121,7 +127,7 @@ def table(columns: Sequence[str], rows: Sequence[Sequence], caption: str = "") -
     ]
     parts = [element("caption", caption)] if caption else []
     parts += [element("thead", element("tr", *head)), element("tbody", *body)]
-    return element("div", element("table", *parts), class_="wide")
+    return element("div", element("table", *parts), class_="wide short" if len(rows) <= _SHORT else "wide")
 
 
 def meter(total: float, first: float = 0.0, largest: float = 1.0) -> Html:
