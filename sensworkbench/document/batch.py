@@ -27,7 +27,7 @@ from . import (
     tables,
 )
 from .archive import Contents, keep_view, read_contents
-from .base import put
+from .base import kind_of, put
 from .extract import core_machine, objective, positions
 from .factory import effects_of, machine_of, make_effect
 from .refresh import refresh
@@ -198,11 +198,14 @@ def save_copy(opened: Opened, path_out) -> Path:
     """Save the opened document as `path_out`, whole or not at all, with the view data of the original.
 
     Without view data in the original the machine is marked `ViewPending`: the window shows and colours it on opening.
+    With it, objects that were added are listed in `Unseen`, because a window hides what has no view data.
     """
     path_out = Path(path_out)
     if path_out.exists() and path_out.samefile(opened.path):
         raise Refused("would overwrite its own input", str(path_out), "Choose another folder.")
     put(opened.machine, "ViewPending", not opened.contents.has_view)
+    added = {o.Name for o in opened.document.Objects if kind_of(o)} - set(opened.contents.types)
+    put(opened.machine, "Unseen", sorted(added | set(opened.machine.Unseen)) if opened.contents.has_view else [])
     try:
         path_out.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path_out.stem}-", suffix=".FCStd", dir=path_out.parent)

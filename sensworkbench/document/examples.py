@@ -69,6 +69,8 @@ class _Body:
         lcs.Label = label
         lcs.Placement.Base = V(*at)
         self.part.addObject(lcs)
+        if App.GuiUp:
+            lcs.ViewObject.Visibility = False
         return lcs
 
 

@@ -78,6 +78,7 @@ class MachineObject(SensObject):
         internal("Map", "PartColours", "Colours for parts made without a window: object name, #rrggbb"),
         internal("Bool", "ViewPending", "Saved without a window: visibility and colours are to be set on opening",
                  False),
+        internal("StringList", "Unseen", "Our objects that were added without a window: to be shown on opening"),
     )  # fmt: skip
 
     def execute(self, obj):

@@ -25,6 +25,10 @@ def adopt(doc) -> None:
     for machine in factory.machines(doc):
         if alive(machine) and machine.ViewPending:
             _bring_up(machine)
+        if alive(machine) and machine.Unseen:
+            for obj in filter(None, map(doc.getObject, machine.Unseen)):
+                obj.ViewObject.Visibility = True
+            machine.Unseen = []
     for result in display.results(doc):
         display.update(result)
     if modified is False:

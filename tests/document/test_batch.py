@@ -95,6 +95,7 @@ def test_view_data_and_its_side_files_are_kept(viewed, tmp_path):
         assert saved.read("thumbnails/Thumbnail.png") == b"\x89PNG"
         assert len(saved.namelist()) == len(set(saved.namelist()))
     assert not reopened(target, lambda machine: machine.ViewPending)
+    assert reopened(target, lambda machine: list(machine.Unseen)) == ["Sensitivity"]  # a window would hide it
 
 
 def test_a_side_file_whose_name_the_document_takes_is_renamed(viewed, tmp_path):
