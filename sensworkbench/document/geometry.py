@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import FreeCAD as App
 import Part
 
@@ -17,6 +19,24 @@ def direction(where: Place, along: str, name: str) -> tuple[App.Vector, str]:
 
     name : "X", "Y" or "Z", the axis that it is for: the local axis that a coordinate system or part gives by default.
     """
+    with _sound(where):
+        return _direction(where, along, name)
+
+
+@contextlib.contextmanager
+def _sound(where: Place):
+    """Geometry that FreeCAD cannot evaluate is refused by name."""
+    try:
+        yield
+    except (Part.OCCError, ArithmeticError) as error:
+        raise Refused(
+            f"the geometry of {where.label!r} cannot be evaluated ({error})",
+            where.object.Label,
+            "Repair or replace it.",
+        ) from None
+
+
+def _direction(where: Place, along: str, name: str):
     if along.startswith("Local "):
         return _local(where, along[-1])
     if where.element:
@@ -70,6 +90,11 @@ def _of_shape(where: Place, shape):
 
 def point(where: Place, at: str) -> tuple[App.Vector, str]:
     """(point, words) at a place.  at : an entry of `objects.REFERENCE_CHOICES`."""
+    with _sound(where):
+        return _point(where, at)
+
+
+def _point(where: Place, at: str):
     if at == "Placement":
         return where.placement.Base, f"placement of {where.object.Label}"
     if at == "Centre of mass":

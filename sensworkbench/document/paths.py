@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import FreeCAD as App
+import Part
 
 from ..core.refusal import Refused
 
@@ -82,8 +83,11 @@ class Place:
     def shape(self):
         """The element's shape (or the object's, None where it has none) in document coordinates."""
         self.chain  # noqa: B018
-        shape = self.root.getSubObject(self.path + self.element)
-        if shape is None or isinstance(shape, (list, tuple)) or not hasattr(shape, "ShapeType"):
+        try:
+            shape = self.root.getSubObject(self.path + self.element)
+        except (ValueError, Part.OCCError):  # an element that the shape has lost
+            shape = None
+        if not isinstance(shape, Part.Shape) or shape.isNull():
             if self.element:
                 raise Refused(f"{self.label!r} is not there any more", self.object.Label, "Choose the geometry again.")
             return None

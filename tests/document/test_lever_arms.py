@@ -291,9 +291,19 @@ def _part_deleted(doc, machine):
     doc.removeObject("CarriageZ")
 
 
+def _edge_lost(doc, machine):
+    factory.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Edge99"])
+
+
+def _no_direction(doc, machine):
+    factory.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Vertex1"])
+
+
 @pytest.mark.parametrize(
     ("spoil", "words"),
     [
+        (_edge_lost, ("Axis X", "Bed", "Choose the geometry again")),
+        (_no_direction, ("Axis X", "Bed Vertex1", "gives no direction")),
         (_skewed, ("X", "Y", "more than 5", "CarriageX", "CarriageY", "Correct one direction")),
         (_parallel, ("X", "Y", "parallel", "CarriageY")),
         (_twice, ("CarriageX", "Axis X", "Axis Y", "take it out")),
@@ -315,6 +325,16 @@ def test_what_is_no_machine_is_refused_by_name(doc, spoil, words):
     for word in words:
         assert word in refusal.value.message
     assert machine.Problem == refusal.value.message
+
+
+def test_a_part_without_a_shape_yet_stands_where_its_placement_is(doc):
+    machine = golden_machine(doc)
+    empty = doc.addObject("Part::Feature", "Imported")
+    empty.Placement.Base = V(1, 2, 3)
+    x = factory.axis_of(machine, "X")
+    x.Parts, x.ReferenceSource = [(empty, "")], None
+    doc.recompute()
+    assert machine.Problem == "" and close(x.ReferencePoint, (1, 2, 3))
 
 
 def test_a_document_without_a_machine_is_refused(doc):
