@@ -225,6 +225,7 @@ def table(rows) -> str:
         lines.append(
             [kind, str(lvl), str(len(part)), *[str(sum(r["outcome"] == o for r in part)) for o in OUTCOMES]]
             + [
+                str(sum(bool(r.get("literal")) for r in part)),
                 f"{int(np.sum(ratio <= LIMIT))}/{len(ratio)}",
                 f"{np.median(ratio):.2f}",
                 f"{np.quantile(ratio, 0.9):.2f}",
@@ -264,17 +265,17 @@ def main(argv=None) -> int:
         for job in jobs:
             rows.append(run(job))
             print(_short(rows[-1]), flush=True)
+    target = Path(options.out) if options.out else ROOT / "build" / f"tracing-{options.seed}.json"
+    target.parent.mkdir(parents=True, exist_ok=True)
+    temporary = target.with_suffix(".part")
+    temporary.write_text(json.dumps(rows, indent=1, default=str), encoding="utf-8")
+    os.replace(temporary, target)
     print()
     print(table(rows))
     named = [r for r in rows if r["kind"] == "none" and r.get("said", {}).get("effects")]
     print(f"\nnull cases on which something was named: {len(named)} of {sum(r['kind'] == 'none' for r in rows)}")
     aliased = [r for r in rows if r.get("aliased")]
     print(f"aliased periods, and the answer says so: {sum(r['alias_said'] for r in aliased)} of {len(aliased)}")
-    target = Path(options.out) if options.out else ROOT / "build" / f"tracing-{options.seed}.json"
-    target.parent.mkdir(parents=True, exist_ok=True)
-    temporary = target.with_suffix(".part")
-    temporary.write_text(json.dumps(rows, indent=1, default=str), encoding="utf-8")
-    os.replace(temporary, target)
     return 0
 
 
