@@ -17,7 +17,7 @@ from .files import icon_path
 from .qt import translate
 
 
-def QT_TRANSLATE_NOOP(context, text):  # noqa: N802 - the name that lupdate looks for
+def QT_TRANSLATE_NOOP(context, text):  # the name that lupdate looks for
     return text
 
 
@@ -93,7 +93,7 @@ class NewMachine(Command):
 
 
 class EditMachine(Command):
-    name, icon = "Sens_EditMachine", "SensWorkbench"
+    name = "Sens_EditMachine"
     menu_text = QT_TRANSLATE_NOOP("Sens_EditMachine", "Edit Machine…")
     tip = QT_TRANSLATE_NOOP("Sens_EditMachine", "Changes chains, carriages, directions, reference points and travel")
 
@@ -203,7 +203,7 @@ def compute_and_colour(machine):
 
 
 class Review(Command):
-    name, icon = "Sens_Review", "Sens_Legend"
+    name = "Sens_Review"
     menu_text = QT_TRANSLATE_NOOP("Sens_Review", "Review")
     tip = QT_TRANSLATE_NOOP("Sens_Review", "Shows the ranking, the components and what-if beside the model")
 

@@ -15,7 +15,7 @@ from .colormap import NO_DATA, Scale, colour
 from .picture import blank, font, painter, plate, set_image, text_width
 from .qt import Qt, QtCore, QtGui
 
-REFERENCE_HEIGHT = 760.0  # pixels of a view in which the legend has its natural size
+REFERENCE_WIDTH, REFERENCE_HEIGHT = 1000.0, 760.0  # pixels of a view in which the legend has its natural size
 
 
 @dataclass(frozen=True)
@@ -181,11 +181,12 @@ class Legend:
         set_image(self._image, paint(self._content[0], self._content[1], size))
 
     def _drawn(self, _data, action) -> None:
-        """Called while the scene is traversed: fit the picture to the height of the view or of the saved image."""
+        """Called while the scene is traversed: fit the picture to the size of the view or of the saved image."""
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
-        height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()[1]
-        size = min(max(round(height / REFERENCE_HEIGHT * 8) / 8, 0.75), 6.0)
+        width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue()
+        fit = min(height / REFERENCE_HEIGHT, width / REFERENCE_WIDTH)
+        size = min(max(round(fit * 8) / 8, 0.75), 6.0)
         if size != self._size:
             notify = self._image.enableNotify(False)
             self._repaint(size)

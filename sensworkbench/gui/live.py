@@ -96,7 +96,9 @@ def _wait(task: Task, title: str) -> None:
     def look():
         if not task.thread.is_alive():
             loop.quit()
-        elif not task.cancelled:
+        elif dialog.wasCanceled():
+            cancel()
+        else:
             dialog.setValue(int(1000 * task.fraction))
 
     def cancel():

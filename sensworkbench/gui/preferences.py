@@ -108,6 +108,8 @@ def aggregate_choices():
 def combo(choices):
     """A combo box whose entries carry a value: [(value, text)]."""
     box = QtGui.QComboBox()
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(max(3, min(16, max(len(text) for _, text in choices))))
     for value, text in choices:
         box.addItem(text, value)
     return box

@@ -19,7 +19,7 @@ _LETTER = re.compile(
     r"(?:^|[^a-z])(?P<axis>[xyz])(?:[^a-z]|$|axis|achse|carriage|slide|schlitten|saddle|table|tisch|축)", re.I
 )
 _WORDS = (
-    ("W", r"workpiece|work ?piece|werkst|vice|vise|fixture|spannvorr|blank|stock|공작물|고정구"),
+    ("W", r"workpiece|work ?piece|werkst|vice|vise|fixture|spannvorr|\bblank\b|\bstock\b|공작물|고정구"),
     ("Z", r"headstock|spindle ?head|spindelkasten|quill|pinole|\bram\b|주축두"),
     ("T", r"spindle|spindel|\btool\b|werkzeug|cutter|fraeser|fräser|주축|공구"),
     ("F", r"\bbed\b|base|frame|column|bett|ständer|staender|gestell|베드|컬럼|foundation"),

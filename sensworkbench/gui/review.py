@@ -29,6 +29,7 @@ def dock():
     if not _dock:
         _dock.append(Review(main_window()))
         main_window().addDockWidget(Qt.RightDockWidgetArea, _dock[0])
+        main_window().resizeDocks([_dock[0]], [430], Qt.Horizontal)
     return _dock[0]
 
 

@@ -52,7 +52,7 @@ class TaskMachine:
         self._quiet = False
         self.form = QtGui.QWidget()
         self.form.setObjectName("SensMachine")
-        self.form.setWindowTitle(translate("Sens", "Machine {name}").format(name=machine.Label))
+        self.form.setWindowTitle(machine.Label)
         self.form.setWindowIcon(QtGui.QIcon(messages.icon("SensWorkbench")))
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(self._chains())
@@ -113,6 +113,7 @@ class TaskMachine:
         self.clear.clicked.connect(lambda *_: self.set_parts([]))
         row = QtGui.QHBoxLayout()
         for button in (self.take, self.add, self.clear):
+            button.setMinimumWidth(20)
             row.addWidget(button)
         rows.addRow(translate("Sens", "Parts"), row)
         self.direction = Source(self._take_direction, lambda: self._set_source("DirectionSource", None))
@@ -131,6 +132,8 @@ class TaskMachine:
         rows.addRow(translate("Sens", "Reference from"), self.reference)
         rows.addRow("", self.at)
         self.lower, self.upper = (number_box(-1e6, 1e6, 3, 10, " mm") for _ in range(2))
+        for box in (self.lower, self.upper):
+            box.setMinimumWidth(70)
         for box, name in ((self.lower, "TravelLower"), (self.upper, "TravelUpper")):
             box.setKeyboardTracking(False)
             box.valueChanged.connect(lambda v, n=name: self._set_on_body(n, float(v)))
@@ -340,6 +343,7 @@ class Source(QtGui.QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         self.text = QtGui.QLineEdit()
         self.text.setReadOnly(True)
+        self.text.setMinimumWidth(60)
         self.take = QtGui.QPushButton(translate("Sens", "Take"))
         self.take.setToolTip(
             translate("Sens", "Takes the coordinate system, datum, edge, face or part that is selected")

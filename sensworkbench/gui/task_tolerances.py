@@ -18,7 +18,7 @@ from .preferences import combo
 from .qt import Qt, QtCore, QtGui, buttons, translate
 from .texts import body_name, distribution_name, error_meaning, plain, unit_sign
 
-SYMBOL, MEANING, OWNER, LOWER, UPPER, UNIT, LAW = range(7)
+SYMBOL, LOWER, UPPER, UNIT, LAW, OWNER, MEANING = range(7)
 UNITS = {True: ("urad", "arcsec", "mrad", "deg"), False: ("um", "nm", "mm")}
 
 
@@ -93,14 +93,13 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         if role != Qt.DisplayRole or orientation != Qt.Horizontal:
             return None
         return (
-            translate("Sens", "Error"), translate("Sens", "Meaning"), translate("Sens", "Component"),
-            translate("Sens", "Lower"), translate("Sens", "Upper"), translate("Sens", "Unit"),
-            translate("Sens", "Distribution"),
+            translate("Sens", "Error"), translate("Sens", "Lower"), translate("Sens", "Upper"), translate("Sens", "Unit"),
+            translate("Sens", "Distribution"), translate("Sens", "Component"), translate("Sens", "Meaning"),
         )[section]  # fmt: skip
 
     def flags(self, index):
         base = Qt.ItemIsEnabled | Qt.ItemIsSelectable
-        return base | Qt.ItemIsEditable if index.column() >= LOWER else base
+        return base | Qt.ItemIsEditable if index.column() in (LOWER, UPPER, UNIT, LAW) else base
 
     def data(self, index, role=Qt.DisplayRole):
         row, column = self.rows[index.row()], index.column()

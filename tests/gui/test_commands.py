@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every command says what it is, is greyed where it cannot work, is one undo step, and leaves no trace when cancelled."""
+
+from __future__ import annotations
+
+import os
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import pytest
+
+from .conftest import close_messages, differences, messages, run, screenshot, state
+
+from sensworkbench.document import factory
+from sensworkbench.gui import commands
+from sensworkbench.gui.qt import pump
+
+NEEDS_MACHINE = {"Sens_EditMachine", "Sens_Tolerances", "Sens_Sensitivity", "Sens_Review", "Sens_Jog"}
+NEEDS_RESULT = {"Sens_OriginalColours", "Sens_ErrorMap", "Sens_Report"}
+
+
+def active(name: str) -> bool:
+    return bool(next(c for c in commands.COMMANDS if c.name == name)().IsActive())
+
+
+def test_every_command_has_icon_text_and_tips(workbench):
+    for kind in commands.COMMANDS:
+        found = kind().GetResources()
+        for key in ("MenuText", "ToolTip", "StatusTip", "WhatsThis"):
+            assert found[key], (kind.name, key)
+        assert kind.name.startswith("Sens_")
+        assert os.path.getsize(found["Pixmap"]) < 10_000
+        assert kind.name in Gui.listCommands()
+
+
+def test_menus_hold_every_command_once(workbench):
+    entries = [n for n in commands.menu() if n != "Separator"]
+    assert len(set(entries)) == len(entries)
+    inside = {name for name in commands.Examples().GetCommands()}
+    assert set(entries) | inside == {c.name for c in commands.COMMANDS}
+
+
+def test_without_a_document_only_examples_can_be_made(workbench):
+    for name in list(App.listDocuments()):
+        App.closeDocument(name)
+    assert {c.name for c in commands.COMMANDS if c().IsActive()} == {
+        "Sens_Example", "Sens_ExampleXYFZ", "Sens_ExampleFXYZ", "Sens_ExampleYFXZ"
+    }  # fmt: skip
+
+
+def test_greyed_until_there_is_a_machine_and_a_result(doc, workbench):
+    assert active("Sens_Machine")
+    assert not any(active(n) for n in NEEDS_MACHINE | NEEDS_RESULT)
+
+
+def test_with_a_machine(machine, machine_doc):
+    assert all(active(n) for n in NEEDS_MACHINE)
+    assert not any(active(n) for n in NEEDS_RESULT)
+    run("Sens_Sensitivity")
+    assert all(active(n) for n in NEEDS_RESULT)
+
+
+@pytest.mark.parametrize("command", ["Sens_Tolerances", "Sens_EditMachine", "Sens_Jog"])
+def test_cancel_leaves_the_document_as_it_was(machine, machine_doc, command):
+    run("Sens_Sensitivity")
+    pump(50)
+    before, undos = state(machine_doc), machine_doc.UndoCount
+    run(command)
+    panel = Gui.Control.activeTaskDialog() if hasattr(Gui.Control, "activeTaskDialog") else None
+    assert Gui.Control.activeDialog(), panel
+    assert not active("Sens_Tolerances")  # greyed while a panel is open
+    run_reject()
+    assert not Gui.Control.activeDialog()
+    assert differences(before, state(machine_doc)) == []
+    assert machine_doc.UndoCount == undos
+
+
+def run_reject():
+    """Click Cancel in the task panel."""
+    click("Cancel")
+
+
+def click(text: str) -> None:
+    from sensworkbench.gui.qt import QtGui, main_window
+
+    pump(60)
+    for box in main_window().findChildren(QtGui.QDialogButtonBox):
+        button = box.button(getattr(QtGui.QDialogButtonBox, text))
+        if button is not None and button.isVisible():
+            button.click()
+            pump(80)
+            return
+    raise AssertionError(f"no visible {text} button")
+
+
+@pytest.mark.parametrize("code", ["XYFZ", "FXYZ", "YFXZ"])
+def test_an_example_is_one_undo_step(doc, workbench, code):
+    run(f"Sens_Example{code}")
+    machine = factory.machine_of(App.ActiveDocument)
+    assert machine.Structure == code and not machine.Problem
+    run("Sens_Sensitivity")
+    screenshot(f"example-{code}")
+    App.ActiveDocument.undo()
+    App.ActiveDocument.undo()
+    pump(50)
+    assert not App.ActiveDocument.Objects
+
+
+def test_a_document_without_a_machine_is_refused_with_one_message(doc, workbench):
+    commands.Sensitivity().Activated()
+    assert len(messages()) == 1 and "holds no machine" in messages()[0]
+    close_messages()
+    assert not doc.Objects
+
+
+def test_a_broken_machine_is_refused_and_stays(machine, machine_doc):
+    machine.ToolPoint = None
+    machine_doc.recompute()
+    before = state(machine_doc)
+    run("Sens_Sensitivity")
+    assert any("tool point is missing" in m for m in messages())
+    close_messages()
+    assert differences(before, state(machine_doc)) == []
+
+
+def test_double_click_and_context_menu_open_the_panel(machine, machine_doc):
+    from sensworkbench.gui.qt import QtGui
+
+    for obj in (machine, factory.axis_of(machine, "X"), factory.tolerances_of(machine), factory.body_of(machine, "T")):
+        view = obj.ViewObject
+        assert os.path.exists(view.Proxy.getIcon())
+        menu = QtGui.QMenu()
+        view.Proxy.setupContextMenu(view, menu)
+        assert menu.actions() and all(a.text() for a in menu.actions())
+        assert view.Proxy.doubleClicked(view)
+        pump(40)
+        assert Gui.Control.activeDialog()
+        run_reject()

@@ -1,0 +1,389 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Panels: what is typed reaches the document as one undo step; the table and the model are linked both ways."""
+
+from __future__ import annotations
+
+import FreeCAD as App
+import FreeCADGui as Gui
+import numpy as np
+import pytest
+
+from .conftest import close_messages, differences, look, messages, run, screenshot, state
+from .test_commands import click
+
+from sensworkbench.document import extract, factory, tables
+from sensworkbench.gui import display, pointers, proposal, review, settings
+from sensworkbench.gui.qt import pump
+from sensworkbench.gui.task_jog import TaskJog
+from sensworkbench.gui.task_machine import TaskMachine, new_machine
+from sensworkbench.gui.task_tolerances import LAW, LOWER, UNIT, UPPER, edit_tolerances
+
+
+@pytest.fixture(autouse=True)
+def width():
+    """Room for the task panel, as on a user's screen."""
+    from sensworkbench.gui.qt import Qt, QtGui, main_window
+
+    window = main_window()
+    docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.objectName() in ("Combo View", "Model")]
+    if docks:
+        window.resizeDocks(docks[:1], [400], Qt.Horizontal)
+
+
+def cell(panel, symbol, column):
+    row = next(i for i, r in enumerate(panel.model.rows) if r.symbol == symbol)
+    return panel.model.index(row, column)
+
+
+# -- tolerances ------------------------------------------------------------------------------------------------------
+def test_tolerances_with_comma_point_and_units(machine, machine_doc):
+    run("Sens_Sensitivity")
+    before, undos = state(machine_doc), machine_doc.UndoCount
+    panel = edit_tolerances(machine)
+    panel.model.setData(cell(panel, "EXX", LOWER), "-2,5")
+    panel.model.setData(cell(panel, "EXX", UPPER), "7.5")
+    panel.model.setData(cell(panel, "EAX", UNIT), "arcsec")
+    panel.model.setData(cell(panel, "EAX", LOWER), "-1,5 arcsec")
+    panel.model.setData(cell(panel, "EAX", UPPER), "10 µrad")
+    panel.model.setData(cell(panel, "EAX", LAW), "triangular")
+    screenshot("tolerances")
+    click("Ok")
+    found = tables.read_tolerances(machine)
+    assert (found["EXX"].lower, found["EXX"].upper) == pytest.approx((-0.0025, 0.0075))
+    assert (found["EAX"].lower, found["EAX"].upper) == pytest.approx((-1.5 * np.pi / 180 / 3600, 1e-5))
+    assert found["EAX"].distribution == "triangular" and tables.read_units(machine)["EAX"] == "arcsec"
+    assert machine_doc.UndoCount == undos + 1
+    machine_doc.undo()
+    pump(200)
+    assert [d for d in differences(before, state(machine_doc)) if d.startswith("Tolerances")] == []
+
+
+def test_what_cannot_be_read_holds_ok_back(machine, machine_doc):
+    before = state(machine_doc)
+    panel = edit_tolerances(machine)
+    for symbol, column, text, word in (
+        ("EXX", UPPER, "twelve", "not a number"), ("EAX", UPPER, "3 mm", "not that of an angle"),
+        ("EYX", UPPER, "-9", "upper limit is below"),
+    ):  # fmt: skip
+        old = panel.model.data(cell(panel, symbol, column))
+        panel.model.setData(cell(panel, symbol, column), text)
+        assert word in panel.note.text()
+        assert panel.accept() is False
+        assert any(word in m for m in messages())
+        close_messages()
+        panel.model.setData(cell(panel, symbol, column), old)
+    click("Cancel")
+    assert differences(before, state(machine_doc)) == []
+
+
+def test_tolerances_go_out_to_csv_and_come_back(machine, machine_doc, tmp_path):
+    panel = edit_tolerances(machine)
+    panel.model.setData(cell(panel, "ECZ", UPPER), "33")
+    path = str(tmp_path / "t.csv")
+    assert panel.write_file(path)
+    panel.defaults()
+    assert panel.model.data(cell(panel, "ECZ", UPPER)) == "20"
+    assert panel.read_file(path)
+    assert panel.model.data(cell(panel, "ECZ", UPPER)) == "33"
+    (tmp_path / "bad.csv").write_text("symbol,lower,upper\nEQQ,1,2\n", encoding="utf-8")
+    assert not panel.read_file(str(tmp_path / "bad.csv"))
+    assert any("EQQ" in m and "line 2" in m for m in messages())
+    close_messages()
+    click("Cancel")
+
+
+# -- machine ---------------------------------------------------------------------------------------------------------
+def loose_parts(doc):
+    """A machine's parts without a machine, as somebody else would have drawn them."""
+    made = {}
+    for name, at in (
+        ("Bed", (0, 0, -300)), ("Saddle Y", (0, 0, -200)), ("Table X", (0, 0, -120)), ("Headstock Z", (0, 200, 300)),
+        ("Spindle", (0, 100, 200)), ("Workpiece", (0, 0, -50)),
+    ):  # fmt: skip
+        box = doc.addObject("Part::Box", name.replace(" ", ""))
+        box.Label = name
+        box.Length, box.Width, box.Height = 120, 100, 60
+        box.Placement.Base = App.Vector(*at)
+        made[name] = box
+    tip = doc.addObject("PartDesign::CoordinateSystem", "TCP")
+    tip.Label = "Tool tip"
+    tip.Placement.Base = App.Vector(60, 150, 0)
+    doc.recompute()
+    look(doc)
+    return made
+
+
+def test_names_say_who_is_who():
+    for label, body in (
+        ("Bed", "F"), ("machine base", "F"), ("Saddle Y", "Y"), ("CarriageX", "X"), ("Z-Achse", "Z"), ("Spindel", "T"),
+        ("Werkstück", "W"), ("X축", "X"), ("Headstock", "Z"), ("Table", "X"), ("y_slide", "Y"), ("Box", ""),
+        ("Column (X)", "X"), ("Workpiece and vice", "W"),
+    ):  # fmt: skip
+        assert proposal.guess(label) == body, label
+
+
+def test_machine_from_selection_proposes_and_is_one_undo_step(doc, workbench):
+    loose_parts(doc)
+    before, undos = state(doc), doc.UndoCount
+    panel = new_machine(doc)
+    pump(50)
+    machine = factory.machine_of(doc)
+    assert (list(machine.WorkpieceChain), list(machine.ToolChain)) == (["Y", "X"], ["Z"])
+    assert [p.label for p in extract.parts_of(machine, "Z")] == ["Headstock Z"]
+    assert not machine.Problem
+    panel.table.setCurrentItem(panel.table.topLevelItem(3))
+    screenshot("machine")
+    click("Ok")
+    assert doc.UndoCount == undos + 1 and factory.machine_of(doc).Structure == "XYFZ"
+    doc.undo()
+    pump(50)
+    assert differences(before, state(doc)) == []
+
+
+def test_machine_from_selection_cancelled_leaves_nothing(doc, workbench):
+    loose_parts(doc)
+    before, undos = state(doc), doc.UndoCount
+    panel = new_machine(doc)
+    assert isinstance(panel, TaskMachine)
+    click("Cancel")
+    assert differences(before, state(doc)) == [] and doc.UndoCount == undos
+
+
+def test_parts_directions_and_points_are_picked(doc, workbench):
+    parts = loose_parts(doc)
+    other = doc.addObject("Part::Box", "Slide")
+    other.Placement = App.Placement(App.Vector(0, 0, 400), App.Rotation(App.Vector(0, 0, 1), 2))
+    doc.recompute()
+    panel = new_machine(doc)
+    panel.table.setCurrentItem(panel.table.topLevelItem(1))
+    assert panel.body == "X"
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(doc.Name, other.Name)
+    panel.take.click()
+    machine = factory.machine_of(doc)
+    assert [p.object.Name for p in extract.parts_of(machine, "X")] == ["Slide"]
+    axis = factory.axis_of(machine, "X")
+    assert axis.Direction.y == pytest.approx(np.sin(np.radians(2)))
+    assert "Not square" in panel.note.text()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(doc.Name, parts["Bed"].Name, "Edge9")
+    panel.direction.take.click()
+    assert axis.DirectionSource[0] == parts["Bed"]
+    assert "Edge9" in axis.DirectionFrom
+    panel.direction.reset.click()
+    assert axis.DirectionSource is None
+    panel.structure.setCurrentIndex(panel.structure.findData("FXYZ"))
+    assert list(machine.ToolChain) == ["X", "Y", "Z"]
+    panel.upper.setValue(321.0)
+    assert axis.TravelUpper.Value == 321.0
+    panel.clear.click()
+    assert "has no carriage" in panel.note.text()
+    assert panel.accept() is False
+    close_messages()
+    click("Cancel")
+    assert not factory.machines(doc)
+
+
+# -- jog -------------------------------------------------------------------------------------------------------------
+def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
+    run("Sens_Sensitivity")
+    table = extract.parts_of(machine, "X")[0].object
+    start, undos = App.Vector(table.Placement.Base), machine_doc.UndoCount
+    panel = TaskJog(machine)
+    Gui.Control.showDialog(panel)
+    panel.numbers["X"].setValue(120.0)
+    panel.numbers["Z"].setValue(60.0)
+    pump(100)
+    assert (table.Placement.Base - start).x == pytest.approx(-120.0)  # a table goes the other way
+    assert factory.axis_of(machine, "X").Position.Value == 120.0
+    assert panel.sliders["X"].value() > 500
+    screenshot("jog")
+    click("Ok")
+    assert machine_doc.UndoCount == undos + 1
+    machine_doc.undo()
+    pump(100)
+    assert (table.Placement.Base - start).Length < 1e-9
+    assert factory.axis_of(machine, "X").Position.Value == 0.0
+
+
+def test_jog_cancelled_puts_the_parts_back(machine, machine_doc):
+    run("Sens_Sensitivity")
+    pump(50)
+    before = state(machine_doc)
+    panel = TaskJog(machine)
+    Gui.Control.showDialog(panel)
+    panel.sliders["Y"].setValue(900)
+    panel.sliders["Z"].setValue(100)
+    pump(100)
+    assert differences(before, state(machine_doc))
+    click("Cancel")
+    assert differences(before, state(machine_doc)) == []
+
+
+# -- review ----------------------------------------------------------------------------------------------------------
+def test_the_ranking_lists_every_error_largest_first(machine, machine_doc):
+    run("Sens_Sensitivity")
+    found = review.dock().ranking
+    result = factory.sensitivity_of(machine)
+    texts = [[i.text(c) for c in range(7)] for i in found.items()]
+    assert len(texts) == len(result.Symbols) == 24
+    totals = dict(zip(result.Symbols, result.Total))
+    assert [t[1] for t in texts][0] == max(totals, key=totals.get)
+    assert [totals[t[1]] for t in texts] == sorted(totals.values(), reverse=True)
+    assert "±20 µrad" in next(t for t in texts if t[1] == "EAX") and "±5 µm" in next(t for t in texts if t[1] == "EYX")
+    screenshot("review")
+
+
+def test_choosing_an_error_lights_up_its_parts_and_shows_arrows(machine, machine_doc):
+    run("Sens_Sensitivity")
+    dock = review.dock()
+    item = next(i for i in dock.ranking.items() if i.text(1) == "EAZ")
+    dock.ranking.table.setCurrentItem(item)
+    pump(30)
+    chosen = {s.Object.Name for s in Gui.Selection.getSelectionEx("", 1)}
+    assert chosen == {p.object.Name for p in extract.parts_of(machine, "Z")}
+    arrows = machine.ViewObject.Proxy.arrows.shown
+    texts = " ".join(a.text for a in arrows)
+    offset = factory.axis_of(machine, "Z").AbbeOffset
+    assert f"{offset.Length:.1f} mm" in texts and "Reference" in texts and "…" in texts
+    lever = next(a for a in arrows if "Abbe" in a.text)
+    assert np.subtract(lever.end, lever.start) == pytest.approx(tuple(offset))
+    screenshot("linked")
+    Gui.Selection.clearSelection()
+    pump(30)
+    assert machine.ViewObject.Proxy.arrows.shown == ()
+
+
+def test_clicking_a_part_chooses_its_errors(machine, machine_doc):
+    run("Sens_Sensitivity")
+    where = extract.parts_of(machine, "Y")[0]
+    leaf = pointers.paths.leaves(where)[0]
+    Gui.Selection.addSelection(machine_doc.Name, leaf.root.Name, leaf.path + "Face1")
+    pump(30)
+    rows = [i.text(1) for i in review.dock().ranking.table.selectedItems()]
+    assert sorted(rows) == ["C0Y", "EAY", "EBY", "ECY", "EXY", "EYY", "EZY"]
+    assert any("Abbe" in a.text for a in machine.ViewObject.Proxy.arrows.shown)
+
+
+def test_components_and_settings(machine, machine_doc):
+    run("Sens_Sensitivity")
+    dock = review.dock()
+    result = factory.sensitivity_of(machine)
+    assert [b[0] for b in dock.bars.blocks][0] == max(zip(result.ComponentTotal, result.Bodies))[1]
+    dock.tabs.setCurrentIndex(1)
+    dock.bars.picked.emit("X")
+    screenshot("components")
+    dock.tabs.setCurrentIndex(3)
+    dock.settings.weights[2].setValue(0.0)
+    dock.settings.compute()
+    pump(50)
+    assert tuple(machine.Weights) == (1.0, 1.0, 0.0) and not result.Stale
+    dock.settings.automatic.setChecked(False)
+    dock.settings.upper.setValue(0.9)
+    pump(30)
+    assert display.scale(result).upper == pytest.approx(0.9)
+    dock.settings.colour_map.setCurrentIndex(1)
+    screenshot("settings")
+    assert display.scale(result).name == "cividis"
+    dock.tabs.setCurrentIndex(0)
+
+
+def test_what_if_changes_nothing_until_apply(machine, machine_doc):
+    run("Sens_Sensitivity")
+    before, undos = state(machine_doc), machine_doc.UndoCount
+    dock = review.dock()
+    tab = dock.what_if
+    dock.tabs.setCurrentIndex(2)
+    tab.change({"EAY": 0.5, "EBY": 0.0})
+    screenshot("what-if")
+    then = dict(zip(tab._then.symbols, tab._then.total))
+    assert then["EBY"] == 0.0
+    assert differences(before, state(machine_doc)) == [] and machine_doc.UndoCount == undos
+    tab.apply_button.click()
+    pump(60)
+    result = factory.sensitivity_of(machine)
+    assert dict(zip(result.Symbols, result.Total)) == pytest.approx(then, abs=1e-9)
+    assert tables.read_tolerances(machine)["EAY"].upper == pytest.approx(10e-6)
+    assert machine_doc.UndoCount == undos + 1
+    machine_doc.undo()
+    pump(200)
+    assert differences(before, state(machine_doc)) == []
+    dock.tabs.setCurrentIndex(0)
+
+
+def test_a_changed_tolerance_recolours_at_once(machine, machine_doc):
+    run("Sens_Sensitivity")
+    result = factory.sensitivity_of(machine)
+    old = list(result.ComponentTotal)
+    found = tables.read_tolerances(machine)
+    machine_doc.openTransaction("edit")
+    tables.write_tolerances(machine, found | {s: t.scaled(0.1) for s, t in found.items() if s in ("EAY", "EBY", "ECY")})
+    machine.touch()
+    machine_doc.recompute()
+    machine_doc.commitTransaction()
+    pump(200)
+    assert not result.Stale
+    assert list(result.ComponentTotal) != old
+
+
+def test_live_can_be_switched_off(machine, machine_doc):
+    run("Sens_Sensitivity")
+    settings.put("Live", False)
+    try:
+        factory.axis_of(machine, "X").TravelUpper = 111.0
+        machine_doc.recompute()
+        pump(100)
+        result = factory.sensitivity_of(machine)
+        assert result.Stale
+        assert "Out of date" in display.legend_text(machine, result).subtitle
+    finally:
+        settings.put("Live", True)
+
+
+def test_error_map(machine, machine_doc):
+    run("Sens_Sensitivity")
+    run("Sens_ErrorMap")
+    proxy = factory.sensitivity_of(machine).ViewObject.Proxy
+    assert proxy.map.shown
+    screenshot("error-map")
+    run("Sens_ErrorMap")
+    assert not proxy.map.shown
+
+
+def test_long_work_can_be_cancelled_and_keeps_the_old_result(machine, machine_doc):
+    from sensworkbench.core.workspace import Cancelled
+    from sensworkbench.gui import live
+    from sensworkbench.gui.qt import QtCore, QtGui, main_window
+
+    run("Sens_Sensitivity")
+    before = state(machine_doc)
+    ticks = []
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: ticks.append(1))
+    timer.start(20)
+    QtCore.QTimer.singleShot(700, lambda: main_window().findChild(QtGui.QProgressDialog, "SensProgress").cancel())
+
+    def endless(progress):
+        import time
+
+        while progress(0.5):
+            time.sleep(0.01)
+        raise Cancelled("cancelled")
+
+    with pytest.raises(Cancelled):
+        live.in_background(endless, "Computing")
+    assert len(ticks) > 5  # the window went on living
+    assert differences(before, state(machine_doc)) == []
+
+
+def test_preferences_show_and_store_what_the_code_uses(workbench):
+    from sensworkbench.gui.preferences import PreferencePage, read_field
+
+    page = PreferencePage()
+    page.loadSettings()
+    for name, field in page._fields.items():
+        assert read_field(field) == settings.get(name) == settings.DEFAULTS[name], name
+    page.order.setValue(6)
+    page.saveSettings()
+    assert settings.get("Order") == 6
+    settings.put("Order", settings.DEFAULTS["Order"])
