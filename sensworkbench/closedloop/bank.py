@@ -82,7 +82,7 @@ def periods(v: np.ndarray, oversample: float = 3.0, limit: int = 900) -> list[fl
 
 
 def persistent(v: np.ndarray) -> bool:
-    """Does a column keep its value from reading to reading?  A lag of one that jumps each time is a trend in disguise."""
+    """Does a column keep its value from one reading to the next?  A lag of one that jumps is a trend in disguise."""
     return float(np.mean(np.diff(v) ** 2)) < float(np.var(v))
 
 

@@ -15,7 +15,7 @@ from .bank import DIRECTIONS, POSITIONS
 
 @dataclass(frozen=True)
 class Physical:
-    """name, size (what is usual), check (what to look at on the machine), needs (columns without which it is not testable)."""
+    """name, size (what is usual), check (what to look at on the machine), needs (columns; not testable without)."""
 
     name: str
     size: str
@@ -25,23 +25,68 @@ class Physical:
 
 CATALOGUE = {
     "reversal": Physical("reversal error (backlash)", "1-20 um", "ball screw nut, coupling, guide preload", ("dir",)),
-    "angular_reversal": Physical("angular reversal error", "1-30 urad", "guide preload, drive offset from the guides", ("dir",)),
-    "windup": Physical("position-dependent reversal (wind-up)", "1-10 um", "ball screw stiffness and preload along the travel", ("dir",)),
-    "following": Physical("following error with feed and direction", "1-20 um", "servo gain, feed forward", ("dir", "feed")),
+    "angular_reversal": Physical(
+        "angular reversal error",
+        "1-30 urad",
+        "guide preload, drive offset from the guides",
+        ("dir",),
+    ),
+    "windup": Physical(
+        "position-dependent reversal (wind-up)",
+        "1-10 um",
+        "ball screw stiffness and preload along the travel",
+        ("dir",),
+    ),
+    "following": Physical(
+        "following error with feed and direction",
+        "1-20 um",
+        "servo gain, feed forward",
+        ("dir", "feed"),
+    ),
     "feed": Physical("error with feed", "1-20 um", "servo gain, feed forward", ("feed",)),
     "hysteresis": Physical("hysteresis of guide or drive", "1-5 um", "friction, cable chain, preload", ("x",)),
-    "thermal_scale": Physical("thermal expansion of a scale or screw", "5-25 um/(m K)", "scale temperature, screw cooling, expansion coefficient in the control", ("temp",)),
-    "thermal_bend": Physical("thermal bending of the structure", "5-30 um/(m K)", "temperature difference front to back, coolant and sun on the casting", ("temp",)),
+    "thermal_scale": Physical(
+        "thermal expansion of a scale or screw",
+        "5-25 um/(m K)",
+        "scale temperature, screw cooling, expansion coefficient in the control",
+        ("temp",),
+    ),
+    "thermal_bend": Physical(
+        "thermal bending of the structure",
+        "5-30 um/(m K)",
+        "temperature difference front to back, coolant and sun on the casting",
+        ("temp",),
+    ),
     "thermal_shift": Physical("thermal displacement", "1-30 um", "heat sources beside the part that moves", ("temp",)),
     "spindle_growth": Physical("spindle growth", "10-60 um", "spindle cooling, warm-up cycle", ("t", "spindle")),
     "drift": Physical("drift in time", "1-20 um", "warm-up, fixture, foundation; log temperatures", ("t",)),
     "slip": Physical("sudden shift in time", "1-50 um", "clamping of workpiece, artefact, probe or tool", ("t",)),
-    "cyclic": Physical("cyclic error of screw or encoder", "1-10 um (screw)", "screw lead and bearing, encoder head", ("x",)),
-    "mass": Physical("deflection under the moved mass", "1-10 um per 100 kg", "guide stiffness, levelling, load on the table", ("load",)),
+    "cyclic": Physical(
+        "cyclic error of screw or encoder",
+        "1-10 um (screw)",
+        "screw lead and bearing, encoder head",
+        ("x",),
+    ),
+    "mass": Physical(
+        "deflection under the moved mass",
+        "1-10 um per 100 kg",
+        "guide stiffness, levelling, load on the table",
+        ("load",),
+    ),
     "overhang": Physical("sag with overhang", "5-30 um", "weight compensation, ram and rail stiffness", ()),
-    "cross": Physical("carriage that another axis bends", "2-20 um", "stiffness of the guide that carries the other axis", ()),
-    "spindle": Physical("displacement with spindle speed", "1-20 um", "spindle bearings, centrifugal growth", ("spindle",)),
-}  # fmt: skip
+    "cross": Physical(
+        "carriage that another axis bends",
+        "2-20 um",
+        "stiffness of the guide that carries the other axis",
+        (),
+    ),
+    "spindle": Physical(
+        "displacement with spindle speed",
+        "1-20 um",
+        "spindle bearings, centrifugal growth",
+        ("spindle",),
+    ),
+}
 
 
 def physical(symbol: str, driver: str, shape: str) -> Physical | None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Between a traced candidate and the effect that is stored, shown and predicted with.
 
-Coefficients are stored in um or urad per driver unit with their standard uncertainty; everything else that a shape needs
-stands beside them, so that an effect can be evaluated from the file alone.
+Coefficients are stored in um or urad per driver unit with their standard uncertainty; everything else that a shape
+needs stands beside them, so that an effect can be evaluated from the file alone.
 """
 
 from __future__ import annotations

@@ -65,7 +65,7 @@ def basis(matrix, weight) -> Basis:
 class Fit:
     """A weighted fit.
 
-    coefficients (n,), mm or rad; determined (n,) bool; covariance (n, n) of the determined part (minimum norm elsewhere).
+    coefficients (n,), mm or rad; determined (n,) bool; covariance (n, n) of the determined part (zero elsewhere).
     residual (R,) mm; sigma (R,) mm: noise of each reading as used; weight (R,): 1/sigma, 0 for outliers; outliers (R,)
     bool; noise: kind -> sigma mm; basis; null_space (n, k), reduced; dof.
     """

@@ -15,7 +15,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Finding:
-    """Something noticed while reading: `severity` "error" | "warning" | "info", `code`, `message`, `line` (0: whole)."""
+    """Something noticed while reading: severity "error" | "warning" | "info", code, message, line (0: whole file)."""
 
     severity: str
     code: str
@@ -31,7 +31,7 @@ class Readings:
     the machine frame.  value : (R,) error = actual - commanded along `sense`, mm.  u : (R,) standard uncertainty, mm
     (NaN: not stated).  columns : driver columns by name, (P,), in internal units (mm, s, kelvin from 20 degC, -1/0/+1,
     others as written); always holds x, y, z.  units : unit of each driver column ("" where unknown).
-    categories : text columns, (P,).  run : (P,) labels.  tool_offset : (P, 3) mm, or None.  line : (P,) line of the file.
+    categories : text columns, (P,).  run : (P,) labels.  tool_offset : (P, 3) mm, or None.  line : (P,) in the file.
     kind : (R,) 0, 1, 2 for ex, ey, ez and 3 for a reading along its own vector - noise is estimated per kind.
     """
 
