@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
 # make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
+# make test-matrix  all tests on FreeCAD 0.20, 1.0 and 1.1: the machine's own, the others in chroots (as root)
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
@@ -12,7 +13,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-core test-document test-gui bench clean
+.PHONY: help system venv demo test test-style test-core test-document test-gui test-matrix bench clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -45,6 +46,9 @@ test-document: system venv
 
 test-gui: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py --gui tests/gui
+
+test-matrix:
+	tools/freecad-matrix.sh test
 
 bench: venv
 	$(VENV_PYTHON) benchmarks/indices.py
