@@ -184,8 +184,8 @@ class Legend:
         """Called while the scene is traversed: fit the picture to the size of the view or of the saved image."""
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
-        width, height = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels().getValue()
-        fit = min(height / REFERENCE_HEIGHT, width / REFERENCE_WIDTH)
+        pixels = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
+        fit = min(pixels[0] / REFERENCE_WIDTH, pixels[1] / REFERENCE_HEIGHT)
         size = min(max(round(fit * 8) / 8, 0.75), 6.0)
         if size != self._size:
             notify = self._image.enableNotify(False)

@@ -62,7 +62,7 @@ class Task:
     def _run(self):
         try:
             self.result = self._function(self.progress)
-        except Exception as error:  # handed to the event loop, which raises it there
+        except Exception as error:  # noqa: BLE001 - handed to the event loop, which raises it there
             self.error = error
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The page under Edit > Preferences > Sens.  It shows and stores the values of `settings`; defaults are those of the code."""
+"""The page under Edit > Preferences > Sens.  It shows and stores `settings`; its defaults are those of the code."""
 
 from __future__ import annotations
 

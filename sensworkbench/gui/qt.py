@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Qt as FreeCAD offers it, on Qt 5 and Qt 6 alike.
 
-Only FreeCAD's own `PySide` is imported.  Its QtGui re-exports the widgets on every version, while QtWidgets is missing on
-older ones, so everything is reached through QtGui.
+Only FreeCAD's own `PySide` is imported.  Its QtGui re-exports the widgets on every version, while QtWidgets is missing
+on older ones, so everything is reached through QtGui.
 """
 
 from __future__ import annotations

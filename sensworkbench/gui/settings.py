@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The user's preferences (Edit > Preferences > Sens): one table of names and defaults, used by the page and the code."""
+"""The user's preferences (Edit > Preferences > Sens): one table of names and defaults, for the page and the code."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The machine panel: which part is the bed and which carries X, Y, Z, spindle and workpiece; chains, directions, points.
+"""The machine panel: which part is the bed, which carries X, Y, Z, spindle and workpiece; chains, directions, points.
 
 It works on the objects themselves inside one transaction, so that directions, reference points and Abbe offsets show at
 once in the panel and as arrows; OK keeps them as one undo step, Cancel leaves the document as it was.

@@ -11,12 +11,12 @@ import zipfile
 import FreeCAD as App
 import pytest
 
-from .conftest import differences, look, picture, run, state
-
 from sensworkbench.document import factory
 from sensworkbench.gui import colours, display
 from sensworkbench.gui.colormap import MAPS, NO_DATA, Scale, automatic, colour
 from sensworkbench.gui.qt import QtGui, pump
+
+from .conftest import differences, look, picture, run, state
 
 
 def result_of(doc):

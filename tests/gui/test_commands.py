@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Every command says what it is, is greyed where it cannot work, is one undo step, and leaves no trace when cancelled."""
+"""Every command says what it is, is greyed where it cannot work, is one undo step, and leaves no trace on Cancel."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from .conftest import close_messages, differences, messages, run, screenshot, state
-
 from sensworkbench.document import factory
 from sensworkbench.gui import commands
 from sensworkbench.gui.qt import pump
+
+from .conftest import close_messages, differences, messages, run, screenshot, state
 
 NEEDS_MACHINE = {"Sens_EditMachine", "Sens_Tolerances", "Sens_Sensitivity", "Sens_Review", "Sens_Jog"}
 NEEDS_RESULT = {"Sens_OriginalColours", "Sens_ErrorMap", "Sens_Report"}

@@ -8,15 +8,15 @@ import FreeCADGui as Gui
 import numpy as np
 import pytest
 
-from .conftest import close_messages, differences, look, messages, run, screenshot, state
-from .test_commands import click
-
 from sensworkbench.document import extract, factory, tables
 from sensworkbench.gui import display, pointers, proposal, review, settings
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_jog import TaskJog
 from sensworkbench.gui.task_machine import TaskMachine, new_machine
 from sensworkbench.gui.task_tolerances import LAW, LOWER, UNIT, UPPER, edit_tolerances
+
+from .conftest import close_messages, differences, look, messages, run, screenshot, state
+from .test_commands import click
 
 
 @pytest.fixture(autouse=True)
