@@ -47,6 +47,26 @@ def lever_columns(machine: Machine, readings: Readings, symbols=ALL_SYMBOLS) -> 
     )
 
 
+def alike(lever: np.ndarray) -> list[list[int]]:
+    """Groups of components (indices) that show the same in every reading, as translations of all bodies do.
+
+    lever : (R, n).  Components that show nowhere form no group.
+    """
+    size = np.linalg.norm(lever, axis=0)
+    largest = float(size.max(initial=0.0))
+    groups: list[list[int]] = []
+    for i in range(lever.shape[1]):
+        if size[i] <= 1e-12 * max(largest, 1e-300):
+            continue
+        for group in groups:
+            if np.linalg.norm(lever[:, i] - lever[:, group[0]]) <= 1e-9 * size[i]:
+                group.append(i)
+                break
+        else:
+            groups.append([i])
+    return groups
+
+
 def declared_orders(machine: Machine, symbol: str) -> range:
     """Legendre orders of a declared function: no constant (alignment, squareness), no slope of a straightness."""
     c = component(symbol)

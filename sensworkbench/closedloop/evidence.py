@@ -84,6 +84,17 @@ class BlockGrams:
             out[b] = self.square[b] - 2 * beta @ self.right[b][columns] + beta @ g @ beta
         return out
 
+    def half_gain(self, base, columns, use) -> float:
+        """Drop of squared error on the other blocks when `columns` join `base`, both fitted on blocks `use` only."""
+        gram, right = self.gram[use].sum(axis=0), self.right[use].sum(axis=0)
+        rest = np.setdiff1d(np.arange(self.count), use)
+        gram_out, right_out = self.gram[rest].sum(axis=0), self.right[rest].sum(axis=0)
+        errors = []
+        for part in (np.asarray(base), np.asarray([*base, *columns])):
+            beta = self._solve(gram, right, part)
+            errors.append(-2 * beta @ right_out[part] + beta @ gram_out[np.ix_(part, part)] @ beta)
+        return float(errors[0] - errors[1])
+
     def left_out_coefficients(self) -> list[np.ndarray]:
         """Per block, the coefficients (n,) of a fit of all the others."""
         columns = np.arange(self.gram.shape[1])

@@ -70,10 +70,14 @@ def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarr
     return out
 
 
-def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int) -> str:
-    """What a free form finds beyond the candidate ("" for nothing); rows: of the model that holds the candidate."""
+def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int, inflation: float = 1.0) -> str:
+    """What a free form finds beyond the candidate ("" for nothing); rows: of the model that holds the candidate.
+
+    inflation : of the variance of slow columns where the noise is correlated from reading to reading.
+    """
     for what, vectors in free_forms(candidate, columns, names):
         gain, dims = subspace_gain(rows, candidate.index, vectors)
+        gain /= inflation
         size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
         if normal_score(gain, dims) > BEYOND_SCORE and size > BEYOND_SIZE:
             return f"a free form of {what} on {candidate.symbol} explains more than this shape"

@@ -15,9 +15,9 @@ from ..core.errors import component
 from ..core.synthesis import omega
 from . import evidence
 from .bank import DIRECTIONS, POSITIONS
-from .design import declared_columns
+from .design import ALL_SYMBOLS, declared_columns
 from .scan import exact_gain
-from .search import Candidate, vectors_of
+from .search import Candidate, handicap, vectors_of
 from .tracer import RIVAL, Step, Tracer
 
 HELD_OUT_RANGE = 25.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
@@ -34,6 +34,10 @@ class Rival:
 def _alike(a: str, b: str) -> bool:
     ca, cb = component(a), component(b)
     return a == b or (not ca.angular and not cb.angular and ca.axis == cb.axis)
+
+
+def _place(c: Candidate) -> tuple[str, str]:
+    return c.symbol, c.shape.driver
 
 
 def _more_general(rival: Candidate, finding: Candidate) -> bool:
@@ -62,6 +66,13 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
         c = Candidate(c.symbol, c.shape, gain, coefficients, visible, c.handicap)
         if loss < HELD_OUT_RANGE and not _more_general(c, finding):
             pool.append((c, loss))
+    group = next((g for g in tracer.groups if finding.index in g), [])
+    for i in group:  # bodies that move alike: nothing at the tool tells them apart
+        if i != finding.index:
+            symbol = ALL_SYMBOLS[i]
+            mirror = replace(finding, symbol=symbol, handicap=handicap(symbol, finding.shape))
+            if all(c.key != mirror.key for c, _ in pool):
+                pool.append((mirror, 0.0))
     if not pool:
         return []
     grams, base, mine = tracer.grams(full, others, [finding] + [c for c, _ in pool])
@@ -74,8 +85,8 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
         if _cosine(own, trace) > 1 - 1e-9:
             found.append(Rival(c, 0.0, "leaves the same trace in these readings", True))
             continue
-        if any(_cosine(trace, t) > 1 - 1e-9 for _, t in shown):
-            continue  # one name for each trace; the rest differ in the body only
+        if any(_cosine(trace, t) > 1 - 1e-9 or _place(c) == _place(s) for s, t in shown):
+            continue  # one name for each trace, one shape for each component and driver
         if loss < RIVAL:
             why = f"explains as much but for {max(loss, 0.0):.1f} in chi-square"
         else:

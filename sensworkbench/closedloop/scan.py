@@ -20,7 +20,7 @@ MIN_VISIBLE = 0.02  # share of a candidate's square that the declared model cann
 
 @dataclass(frozen=True)
 class Rows:
-    """Weighted rows grouped by point: lever (R, C) and residual (R,) times weight, start (P,) first row of each point."""
+    """Weighted rows grouped by point: lever (R, C), residual (R,), both times weight; start (P,): first row of each."""
 
     lever: np.ndarray
     residual: np.ndarray
@@ -60,8 +60,11 @@ class Scores:
 class Scanner:
     """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
 
-    def __init__(self, rows: Rows, shapes: list[Shape], columns, dtype=np.float64):
+    def __init__(self, rows: Rows, shapes: list[Shape], columns, places=None, dtype=np.float64):
+        """places : component numbers to score (default all); components that move alike need one number only."""
         self.rows, self.shapes = rows, shapes
+        self.places = np.arange(rows.lever.shape[1]) if places is None else np.asarray(places)
+        self.lever = rows.lever if places is None else np.ascontiguousarray(rows.lever[:, self.places])
         self.width = np.array([s.width for s in shapes])
         vectors, owner = [], []
         for k, shape in enumerate(shapes):
@@ -76,8 +79,8 @@ class Scanner:
 
     def _denominators(self):
         rows = self.rows
-        squares = rows.gather(rows.lever**2)  # (P, C)
-        components = rows.lever.shape[1]
+        squares = rows.gather(self.lever**2)  # (P, C)
+        components = self.lever.shape[1]
         total = (self.v**2) @ squares
         pairs = self.first[self.width == 2]
         cross = np.zeros((len(pairs), components))
@@ -85,7 +88,7 @@ class Scanner:
             cross = (self.v[pairs] * self.v[pairs + 1]) @ squares
         shown = total.copy()
         for c in range(components):
-            a = rows.gather(rows.q * rows.lever[:, [c]])  # (P, m)
+            a = rows.gather(rows.q * self.lever[:, [c]])  # (P, m)
             projected = self.v @ a
             shown[:, c] -= (projected**2).sum(axis=1)
             if len(pairs):
@@ -121,14 +124,14 @@ class Scanner:
         rows = self.rows
         r = rows.residual if residual is None else residual
         r = r - rows.q @ (rows.q.T @ r)
-        gain = self.gains(rows.gather(rows.lever * r[:, None]))
+        gain = self.gains(rows.gather(self.lever * r[:, None]))
         tail = np.where((self.width == 2)[:, None], log_tail(gain, 2), log_tail(gain, 1))
         return Scores(self.shapes, gain, self.visible, np.where(self.valid, tail, 0.0))
 
     def null_maxima(self, signs, batch: int = 32) -> np.ndarray:
-        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals; respects blocks by `signs`."""
+        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals, made block by block."""
         rows = self.rows
-        p, components = len(rows.start), rows.lever.shape[1]
+        p, components = len(rows.start), self.lever.shape[1]
         v = self.v.astype(np.float32)
         one = self.first
         inverse = np.where(self.valid, 1.0 / np.where(self.valid, self.shown[one], 1.0), 0.0).astype(np.float32)
@@ -146,7 +149,7 @@ class Scanner:
             block = flipped[begin : begin + batch]
             h = np.empty((p, len(block), components), dtype=np.float32)
             for j, r in enumerate(block):
-                h[:, j] = rows.gather(rows.lever * r[:, None])
+                h[:, j] = rows.gather(self.lever * r[:, None])
             best1 = np.zeros(len(block))
             best2 = np.zeros(len(block))
             for k in range(0, len(v), CHUNK * 2):

@@ -18,7 +18,7 @@ from ..core.errors import ROTATION, SQUARENESS, TRANSLATION, component
 from .bank import DIRECTIONS, POSITIONS, Shape
 from .design import ALL_SYMBOLS
 from .freeform import free_form
-from .scan import Rows, Scanner, exact_gain
+from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain
 from .surface import bump_features
 
 PER_PARAMETER = 7.0  # handicap of each further number fitted: about ln(number of readings)
@@ -99,7 +99,7 @@ def handicap(symbol: str, shape: Shape) -> float:
     if c.kind == SQUARENESS:
         cost += 2.0  # its lever holds the axis position: one more factor
     if axes and c.body not in axes:
-        cost += 1.0
+        cost += 3.0
     if len(axes) > 1 and set(shape.driver.split("*")) - set(POSITIONS):
         cost += 1.0  # the scale of one axis with the place along another
     growth = shape.shape in ("approach", "lag") and c.kind == TRANSLATION and not axes
@@ -152,6 +152,8 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
     def at(value):
         return _candidate(rows, candidate.symbol, replace(shape, parameters={**shape.parameters, name: value}), columns)
 
+    candidate = at(start)  # its gain beside the model of these rows
+
     if name == "at":
         values = np.unique(columns[shape.driver])
         near = int(np.searchsorted(values, start))
@@ -199,38 +201,52 @@ def _local_shapes(rows: Rows, leaders, columns, names) -> list[Candidate]:
 
 
 def search(
-    rows: Rows, readings, scanner: Scanner, names, keep: int = 60, within: float = 60.0, minimum: float = 12.0
+    rows: Rows,
+    readings,
+    scanner: Scanner,
+    names,
+    groups,
+    keep: int = 60,
+    within: float = 60.0,
+    minimum: float = 12.0,
+    inflation: float = 1.0,
 ) -> list[Candidate]:
-    """Best candidates first (by gain less handicap), one per component, driver and shape, parameters refined."""
+    """Best candidates first (by gain less handicap), one per motion, driver and shape, parameters refined.
+
+    groups : components that show alike, per place of the scanner; the plainest of them carries the candidate.
+    inflation : of the variance, where the noise itself is correlated from reading to reading; gains are divided by it.
+    """
     columns = readings.columns
     scores = scanner.scores()
     flat = np.argsort(-scores.tail, axis=None)[: 40 * keep]
     found: dict[tuple, Candidate] = {}
     for i in flat:
-        k, c = np.unravel_index(i, scores.tail.shape)
-        if scores.gain[k, c] < minimum:
+        k, g = np.unravel_index(i, scores.tail.shape)
+        if scores.gain[k, g] < minimum * inflation:
             break
         shape = scores.shapes[k]
-        key = (ALL_SYMBOLS[c], shape.driver, shape.shape)
+        key = (int(g), shape.driver, shape.shape)
         if key in found:
             continue
-        found[key] = _candidate(rows, ALL_SYMBOLS[c], shape, columns)
+        symbol = min((ALL_SYMBOLS[c] for c in groups[g]), key=lambda s, shape=shape: handicap(s, shape))
+        found[key] = _candidate(rows, symbol, shape, columns)
         if len(found) >= 3 * keep:
             break
     if not found:
         return []
-    ranked = sorted(found.values(), key=lambda c: -c.score)
-    best = ranked[0].score
-    near = [c for c in ranked if c.score > best - max(within, 0.3 * abs(best))][:keep]
+
+    def score(c: Candidate) -> float:
+        return c.gain / inflation - c.handicap
+
+    ranked = sorted(found.values(), key=lambda c: -score(c))
+    best = score(ranked[0])
+    near = [c for c in ranked if score(c) > best - max(within, 0.3 * abs(best))][:keep]
     near += _local_shapes(rows, near, columns, names)
-    coarse = sorted(near, key=lambda c: -c.score)
     out = []
     refined = 0
-    for c in coarse:
-        # equal columns on several bodies share one refinement's worth of work: cap it
-        if c.shape.profiled and c.shape.shape != "polynomial" and refined < 30:
+    for c in sorted(near, key=lambda c: -score(c)):
+        if c.shape.profiled and refined < 30:
             c = refine(rows, c, columns, 16)
             refined += 1
         out.append(c)
-    out = [c for c in out if c.visible > 0.02]
-    return sorted(out, key=lambda c: -c.score)
+    return sorted((c for c in out if c.visible > MIN_VISIBLE), key=lambda c: -score(c))

@@ -61,6 +61,7 @@ def trace(
     tracer.add_effects(tell)
     tracer.review()
     named = _consistent(tracer)
+    tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)
     if not tell(0.75, "what is left is tested"):
         raise Cancelled("cancelled")
@@ -88,7 +89,7 @@ def _consistent(tracer: Tracer) -> list[Step]:
     for _ in range(len(tracer.steps) + 1):
         refused = [s for s in tracer.steps if s.refused]
         named = [s for s in tracer.steps if not s.refused]
-        if not refused or not named:
+        if not refused or not named or tracer.coloured:
             return named
         stand_in = []
         for s in refused:
@@ -121,6 +122,8 @@ def _remainder(tracer: Tracer, named) -> tuple[list[Candidate], Remainder, bool]
     refused = [s for s in tracer.steps if s.refused and s.significant and s.size > tracer.floor]
     structured = structured or bool(refused)
     smooth: list[Candidate] = []
+    if tracer.coloured:  # nothing smooth can be told from noise that remembers, and none would predict
+        return smooth, first, tracer.colour**0.5 > tracer.floor
     rest = first
     for _ in range(3):
         if not (structured and rest.structure is not None and rest.p < ALPHA and rest.size > 0.5 * tracer.floor):

@@ -18,19 +18,21 @@ from ..core.synthesis import omega
 from ..core.workspace import Cancelled
 from . import evidence
 from .bank import Shape, bank, log_tail, useful_columns
-from .design import ALL_SYMBOLS, Design, design
+from .design import ALL_SYMBOLS, Design, alike, design
 from .fit import Fit, basis, fit
 from .freeform import FreeScan, normal_score
 from .naming import beyond, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, axes_of, handicap, search, vectors_of
+from .search import Candidate, axes_of, handicap, refine, search, vectors_of
 from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
 ALPHA = 0.01
 SELECTION = 0.9
 RIVAL = 9.0
+SHORT_BLOCKS, LONG_BLOCKS = 30, 10
+COLOURED = 0.3  # correlation of successive residuals from which the noise is taken to remember
 CLASS = 16.0  # in chi-square: less is within two standard errors of a held-out comparison
 MOST_EFFECTS = 4
 LARGEST_UM = 500.0  # a plausible effect is smaller
@@ -77,13 +79,48 @@ class Tracer:
         self.design: Design = design(machine, readings)
         self.names = useful_columns(readings)
         self.bank = bank(readings)
-        self.block = evidence.blocks(readings)
-        self.row_block = self.block[readings.point]
+        self.groups = alike(self.design.lever)
+        self.places = [g[0] for g in self.groups]
         self.start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
-        self.signs = evidence.flips(self.row_block, permutations, seed)
+        self.colour = 0.0
+        self._blocks = {n: evidence.blocks(readings, n) for n in (SHORT_BLOCKS, LONG_BLOCKS)}
+        self._signs = {n: evidence.flips(b[readings.point], permutations, seed) for n, b in self._blocks.items()}
         self.steps: list[Step] = []
         self.log: list[str] = []
         self.roughness: list[Candidate] = []
+
+    # -- noise that remembers -----------------------------------------------------------------------------------
+    @property
+    def coloured(self) -> bool:
+        """Is what is left correlated from reading to reading, so that smooth columns look better than they are?"""
+        return self.colour > COLOURED
+
+    @property
+    def inflation(self) -> float:
+        """Variance inflation of a slow column's coefficient under such noise (first-order autoregressive)."""
+        return (1 + self.colour) / (1 - self.colour) if self.coloured else 1.0
+
+    @property
+    def block(self) -> np.ndarray:
+        return self._blocks[LONG_BLOCKS if self.coloured else SHORT_BLOCKS]
+
+    @property
+    def row_block(self) -> np.ndarray:
+        return self.block[self.readings.point]
+
+    @property
+    def signs(self) -> np.ndarray:
+        return self._signs[LONG_BLOCKS if self.coloured else SHORT_BLOCKS]
+
+    def listen(self, fitted: Fit) -> None:
+        """Take the colour of the noise from what a fit leaves: correlation of each reading with the one before."""
+        r = fitted.residual * fitted.weight
+        above = below = 0.0
+        for kind in np.unique(self.readings.kind):
+            part = r[self.readings.kind == kind]
+            above += float(part[1:] @ part[:-1])
+            below += float(part @ part)
+        self.colour = float(np.clip(above / below if below > 0 else 0.0, 0.0, 0.999))
 
     # -- fits ----------------------------------------------------------------------------------------------------
     def columns_of(self, candidates) -> np.ndarray | None:
@@ -110,6 +147,9 @@ class Tracer:
         b = basis(matrix, fitted.weight)
         y = self.readings.value * fitted.weight
         return Rows(self.design.lever * fitted.weight[:, None], y - b.q @ (b.q.T @ y), self.start, b.q)
+
+    def scanner(self, rows: Rows) -> Scanner:
+        return Scanner(rows, self.bank, self.readings.columns, self.places)
 
     def grams(self, fitted: Fit, others, candidates):
         """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate)."""
@@ -139,7 +179,7 @@ class Tracer:
             self.rows_with(full, others), best.index, vectors_of(best.shape, self.readings.columns)
         )
         after = self.rows(full)
-        null = Scanner(after, self.bank, self.readings.columns).null_maxima(self.signs)
+        null = self.scanner(after).null_maxima(self.signs)
         tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
         used = max(int(np.count_nonzero(full.weight)), 1)
         grams, base, mine = self.grams(full, others, [best])
@@ -163,6 +203,9 @@ class Tracer:
         hits = 0
         for _ in range(halves):
             use = rng.permutation(grams.count)[: grams.count // 2]
+            if self.coloured:  # chi-square counts correlated readings as independent: it must predict the other half
+                hits += grams.half_gain(base, mine[0], use) > 0
+                continue
             score = grams.gains(base, mine, use) - cost
             hits += bool(score[0] > 0 and (alike[int(np.argmax(score))] or score[0] > score.max() - RIVAL))
         return hits / halves
@@ -184,8 +227,12 @@ class Tracer:
     def _next(self, others) -> Step | None:
         fitted = self.fit_with(others)
         rows = self.rows(fitted)
-        scanner = Scanner(rows, self.bank, self.readings.columns)
-        found = search(rows, self.readings, scanner, self.names)
+        scanner = self.scanner(rows)
+        found = search(rows, self.readings, scanner, self.names, self.groups)
+        if found:
+            self.listen(self.fit_with([*others, found[0]]))
+        if self.coloured:
+            found = self._by_left_out_blocks(others, found)
         tried: set[str] = set()
         lines = True
         for best in found:
@@ -210,10 +257,30 @@ class Tracer:
                 return None
         return None
 
+    def _by_left_out_blocks(self, others, found) -> list[Candidate]:
+        """In noise that remembers, chi-square flatters every slow column: order by long blocks left out instead, and
+        among those within a standard error of the best take the plainest."""
+        plain = [c for c in found if c.shape.factors == 1 or len(set(c.shape.driver.split("*"))) == 1][:40]
+        if not plain:
+            return found
+        grams, base, mine = self.grams(self.fit_with(others), others, plain)
+        errors = [grams.held_out(base + m) for m in mine]
+        totals = np.array([e.sum() for e in errors])
+        best = int(np.argmin(totals))
+        near = [i for i in range(len(plain)) if self._no_worse(errors[i], errors[best])]
+        near.sort(key=lambda i: (plain[i].handicap, totals[i]))
+        rest = [i for i in np.argsort(totals) if i not in near]
+        return [plain[i] for i in [*near, *rest]]
+
+    @staticmethod
+    def _no_worse(errors, best, within: float = 0.5) -> bool:
+        loss, spread = evidence.gain_statistics(errors, best)
+        return loss <= within * spread
+
     def _line(self, others, candidate: Candidate) -> bool:
         full = self.fit_with([*others, candidate])
         rows = self.rows(full)
-        if not stands_out(rows, candidate, Scanner(rows, self.bank, self.readings.columns)):
+        if not stands_out(rows, candidate, self.scanner(rows)):
             return False
         return not beyond(rows, candidate, self.readings.columns, self.names, int(np.count_nonzero(full.weight)))
 
@@ -225,8 +292,13 @@ class Tracer:
                 others = [s.candidate for j, s in enumerate(self.steps) if j != i]
                 full = self.fit_with(self.candidates)
                 rows = self.rows_with(full, others)
-                scanner = Scanner(rows, self.bank, self.readings.columns)
-                found = search(rows, self.readings, scanner, self.names)
+                if self.coloured:  # chosen by left-out blocks; only its parameters settle
+                    better = refine(rows, step.candidate, self.readings.columns)
+                    changed |= better.gain > step.candidate.gain + 1.0
+                    step.candidate = better
+                    continue
+                scanner = self.scanner(rows)
+                found = search(rows, self.readings, scanner, self.names, self.groups)
                 if step.candidate.shape.shape != "periodic":
                     found = [c for c in found if c.shape.shape != "periodic" or not self.roughness]
                 if not found:
@@ -257,12 +329,26 @@ class Tracer:
 
     def review(self):
         """Judge every effect beside all the others, and test whether it may carry its name."""
+        self.listen(self.fit_with(self.candidates))
         for i, step in enumerate(self.steps):
             others = [s.candidate for j, s in enumerate(self.steps) if j != i]
             again = self.judge(others, step.candidate)
             step.candidate, step.p, step.size, step.gain = again.candidate, again.p, again.size, again.gain
             step.selection = self.selection(others, step.candidate, step.pool)
             step.refused = self._refusal(step, others)
+
+    def polish(self, named):
+        """Parameters of the named effects at their best beside each other alone, as the final model holds them."""
+        for _ in range(3):
+            moved = False
+            for step in named:
+                others = [s.candidate for s in named if s is not step]
+                rows = self.rows_with(self.fit_with([*others, step.candidate]), others)
+                better = refine(rows, step.candidate, self.readings.columns)
+                moved |= better.gain > step.candidate.gain + 0.5
+                step.candidate = better
+            if not moved:
+                return
 
     def _refusal(self, step: Step, others) -> str:
         c = step.candidate
@@ -273,7 +359,8 @@ class Tracer:
         apart = [o for o in others if not _same_place(o, c)]
         full = self.fit_with(self.candidates)
         rows = self.rows_with(full, [*apart, c])
-        reason = beyond(rows, c, self.readings.columns, self.names, int(np.count_nonzero(full.weight)))
+        used = int(np.count_nonzero(full.weight))
+        reason = beyond(rows, c, self.readings.columns, self.names, used, self.inflation)
         if reason:
             return reason
         if self.amplitude_um(c) > LARGEST_UM:
@@ -292,11 +379,12 @@ class Tracer:
         fitted = self.fit_with(model)
         rows = self.rows(fitted)
         used = max(int(np.count_nonzero(fitted.weight)), 1)
-        places = _distinct(self.machine)
+        places = [c for c in self.places if component(ALL_SYMBOLS[c]).kind != "squareness"]
         found, null = FreeScan(rows, self.readings, self.names, places).best(self.signs)
         if not found:
             return Remainder()
         p, score = found[0].p, found[0].score
+        self.listen(fitted)
         shifts = [c for c in places if not component(ALL_SYMBOLS[c]).angular]
         leading = list(dict.fromkeys([*shifts, *[s.component for s in found[:10]]]))[:6]
         best = locate(rows, self.readings, self.names, leading if p < 0.05 or score > 4 else shifts)
@@ -309,7 +397,7 @@ class Tracer:
             p = min(p, evidence.p_value(score, null))
             if top.evidence > CERTAIN:
                 p = min(p, 1.0 / (len(null) + 1))
-        size = float(np.sqrt(max(top.gain - top.freedom, 0.0) / used))
+        size = float(np.sqrt(max(top.gain / self.inflation - top.freedom, 0.0) / used))
         grams, base, mine = self.grams(fitted, model, [surface_candidate(top)])
         held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
         return Remainder(p, size, top, held)
@@ -339,12 +427,3 @@ def _same_place(a: Candidate, b: Candidate) -> bool:
     ca, cb = component(a.symbol), component(b.symbol)
     alike = a.symbol == b.symbol or (not ca.angular and not cb.angular and ca.axis == cb.axis)
     return alike and bool(set(a.shape.driver.split("*")) & set(b.shape.driver.split("*")))
-
-
-def _distinct(machine: Machine) -> list[int]:
-    """Components that can differ under a free form: three translations and every rotation."""
-    return [
-        i
-        for i, s in enumerate(ALL_SYMBOLS)
-        if (component(s).angular and component(s).kind != "squareness") or component(s).body == "W"
-    ]

@@ -80,6 +80,8 @@ def uneven_noise(rows: Rows, q, kind, count: int = 199, seed: int = 0) -> Unlogg
     x = np.concatenate(follow, axis=1)
     norm = np.sqrt((x**2).sum(axis=0))
     good = norm > 1e-9 * max(float(norm.max(initial=0.0)), 1e-300)
+    if not good.any() or float(norm.max()) < 1e-9:
+        return None
     x = np.where(good, x / np.where(good, norm, 1.0), 0.0)
     square = rows.residual**2
     centred = [square[part] - square[part].mean() for part in kinds]
@@ -88,6 +90,8 @@ def uneven_noise(rows: Rows, q, kind, count: int = 199, seed: int = 0) -> Unlogg
     null = np.array([(x.T @ np.concatenate([rng.permutation(c) for c in centred])).max() for _ in range(count)])
     best = int(np.argmax(observed))
     p = float((1 + np.count_nonzero(null >= observed[best])) / (count + 1))
+    if not good[best]:
+        return None
     variance = max(float(observed[best] / norm[best]), 0.0)
     symbol, name = labels[best]
     place = dict(places)[name]
