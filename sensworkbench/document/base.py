@@ -11,7 +11,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import FreeCAD as App
-import numpy as np
 
 HIDDEN, OUTPUT = 4, 8  # attributes of FreeCAD's addProperty; an output does not touch its object
 SHOWN, READ_ONLY, INVISIBLE = 0, 1, 2  # editor modes
@@ -42,10 +41,8 @@ def internal(kind: str, name: str, tip: str, value=None) -> Property:
 
 def plain(value):
     """`value` with numpy arrays and numbers turned into lists and numbers that FreeCAD stores rightly."""
-    if isinstance(value, np.ndarray):
+    if hasattr(value, "tolist"):  # told by that: this module is loaded at every start, and numpy is not
         return value.tolist()
-    if isinstance(value, np.generic):
-        return value.item()
     if isinstance(value, (list, tuple)):
         return type(value)(plain(v) for v in value)
     if isinstance(value, dict):

@@ -39,9 +39,10 @@ def begin() -> None:
 def _ready() -> None:
     """Once the window stands: objects that are made or restored get view providers; open documents are adopted."""
     from ..document.base import register_dresser
-    from .viewproviders import dress
 
     def made_or_restored(obj):
+        from .viewproviders import dress
+
         dress(obj)
         adopt_soon(obj.Document)
 
