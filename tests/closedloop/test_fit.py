@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The declared fit: unbiased with honest uncertainties, robust to gross outliers, and fair to rows an effect explains."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from sensworkbench.closedloop.design import ALL_SYMBOLS, design
+from sensworkbench.closedloop.fit import fit
+from sensworkbench.closedloop.readings import Readings
+
+from .support import both, least_squares, measured, scattered, session
+
+NOISE = 0.4e-3  # mm
+TOOLS = np.array([(0.0, 0.0, 0.0), (80.0, 0.0, -60.0), (0.0, 80.0, -120.0)])
+
+
+def noisy(count=300, seed=0, **more):
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    return machine, measured(simulated, scattered(count, seed), noise=NOISE, seed=seed, **more)
+
+
+def spoiled(readings: Readings, seed: int, share: float = 0.02) -> tuple[Readings, np.ndarray]:
+    """Readings with gross errors of 10 to 40 sigma on some rows."""
+    rng = np.random.default_rng(seed)
+    rows = rng.random(readings.rows) < share
+    gross = NOISE * rng.uniform(10, 40, readings.rows) * rng.choice([-1.0, 1.0], readings.rows)
+    return replace(readings, value=readings.value + rows * gross), rows
+
+
+def test_the_fit_is_the_weighted_least_squares_solution_where_there_are_no_outliers():
+    machine, readings = noisy(u=NOISE)
+    found = fit(design(machine, readings), readings)
+    assert not found.outliers.any()
+    _, left = least_squares(found.design.matrix * found.weight[:, None], readings.value * found.weight)
+    assert found.chi2 == pytest.approx(left, rel=1e-9)
+    assert found.chi2 == pytest.approx(found.dof, rel=1e-6)  # the noise is scaled to what is left
+
+
+def test_parameters_scatter_about_the_truth_as_their_covariance_says():
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    q = np.concatenate([scattered(60, 1)] * 3)
+    tool = np.repeat(TOOLS, 60, axis=0)
+    clean = measured(simulated, q, seed=1, tool=tool)
+    model = design(machine, clean)
+    truth, left = least_squares(model.matrix, clean.value)
+    assert np.sqrt(left / clean.rows) < 20e-6  # the first-order model holds the exact product
+    scores = []
+    for seed in range(12):
+        noise = NOISE * np.random.default_rng(seed).normal(size=clean.rows)
+        found = fit(model, replace(clean, value=clean.value + noise))
+        assert found.determined.all()
+        scores.append((found.coefficients - truth) / np.sqrt(np.diag(found.covariance)))
+    scores = np.concatenate(scores)
+    assert np.mean(scores) == pytest.approx(0, abs=0.15)
+    assert np.std(scores) == pytest.approx(1, rel=0.12)
+    assert np.abs(scores).max() < 5
+
+
+def test_noise_is_estimated_for_each_direction_of_sensing():
+    machine, readings = noisy(600)
+    rng = np.random.default_rng(9)
+    sigma = np.array([0.2e-3, 0.5e-3, 1.5e-3])
+    simulated, _ = both("XYFZ", (10, -20, -150))
+    clean = measured(simulated, readings.q)
+    found = fit(design(machine, clean), replace(clean, value=clean.value + sigma[clean.kind] * rng.normal(size=1800)))
+    assert [found.noise[k] for k in range(3)] == pytest.approx(sigma, rel=0.1)
+
+
+def test_a_stated_uncertainty_that_is_wrong_is_noticed_and_scaled():
+    machine, readings = noisy(400)
+    for factor in (0.4, 1.0, 2.5):
+        found = fit(design(machine, readings), replace(readings, u=np.full(readings.rows, factor * NOISE)))
+        assert np.mean(list(found.noise.values())) == pytest.approx(NOISE, rel=0.06)
+
+
+def test_readings_that_state_less_noise_weigh_more():
+    machine, readings = noisy(400)
+    u = np.where(np.arange(400) % 2, 0.1e-3, 1.0e-3)
+    simulated, _ = both("XYFZ", (10, -20, -150))
+    clean = measured(simulated, readings.q)
+    rng = np.random.default_rng(3)
+    stated = replace(clean, u=u[clean.point], value=clean.value + u[clean.point] * rng.normal(size=clean.rows))
+    found = fit(design(machine, stated), stated)
+    ratio = found.sigma[clean.point % 2 == 0].mean() / found.sigma[clean.point % 2 == 1].mean()
+    assert ratio == pytest.approx(10, rel=1e-6)
+    shift = found.design.matrix @ found.coefficients - clean.value
+    unweighted = fit(found.design, replace(stated, u=np.full(clean.rows, np.nan)))
+    loose = found.design.matrix @ unweighted.coefficients - clean.value
+    assert np.sqrt((shift**2).mean()) < 0.5 * np.sqrt((loose**2).mean())
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_gross_outliers_are_found_and_hardly_anything_else(seed):
+    machine, readings = noisy(300, seed)
+    bad, rows = spoiled(readings, seed)
+    found = fit(design(machine, bad), bad)
+    assert rows.sum() >= 10
+    assert found.outliers[rows].all()
+    assert (found.outliers & ~rows).sum() <= 1
+    assert not found.weight[found.outliers].any()
+    clean = fit(found.design, readings)
+    assert np.sqrt(((found.residual - clean.residual)[~rows] ** 2).mean()) < 0.1 * NOISE
+    assert np.mean(list(found.noise.values())) == pytest.approx(NOISE, rel=0.08)
+
+
+def test_rows_that_an_effect_explains_are_admitted_again():
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    q = scattered(300, 5)
+    hit = np.zeros(300)
+    hit[::40] = 1.0  # a load that stands on the table for eight readings
+    readings = measured(simulated, q, {"EZX": 30 * NOISE * hit}, {"load_table": hit}, NOISE, seed=5)
+    before = fit(design(machine, readings), readings)
+    lifted = (readings.kind == 2) & (hit[readings.point] > 0)
+    assert before.outliers[lifted].all()
+    column = before.design.lever[:, [ALL_SYMBOLS.index("EZX")]] * hit[readings.point, None]
+    after = fit(before.design, readings, column, before)
+    assert not after.outliers[lifted].any()
+    assert after.coefficients[-1] == pytest.approx(30 * NOISE, abs=4 * np.sqrt(after.covariance[-1, -1]))
+    assert after.extra == 1
+
+
+def test_outliers_stay_out_when_an_effect_joins_that_does_not_explain_them():
+    machine, readings = noisy(300, 6, columns=session(300, 6))
+    bad, rows = spoiled(readings, 6)
+    model = design(machine, bad)
+    column = model.lever[:, [ALL_SYMBOLS.index("EAZ")]] * readings.columns["temp_column"][readings.point, None]
+    assert fit(model, bad, column).outliers[rows].all()
+
+
+def test_runs_and_tools_have_offsets_of_their_own():
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    q = scattered(360, 7)
+    run, tool = np.arange(360) // 120 + 1, TOOLS[np.arange(360) % 3]
+    jump = {1: np.zeros(3), 2: np.array([5e-3, -2e-3, 1e-3]), 3: np.array([-4e-3, 3e-3, 6e-3])}
+    readings = measured(simulated, q, noise=NOISE, seed=7, tool=tool, run=run)
+    moved = np.stack([jump[int(r)] for r in run])
+    wrong_length = np.where((np.arange(360) % 3 == 2)[:, None], [1e-3, 2e-3, -3e-3], 0.0)
+    readings = replace(readings, value=readings.value + (moved + wrong_length).ravel())
+    found = fit(design(machine, readings), readings)
+    assert np.mean(list(found.noise.values())) == pytest.approx(NOISE, rel=0.06)
+    u = np.sqrt(np.diag(found.covariance))
+    for i, term in enumerate(found.design.terms):
+        if term.group == "run":
+            assert found.determined[i]
+            assert found.coefficients[i] == pytest.approx(jump[int(term.symbol)][term.order], abs=4 * u[i])
+    assert sum(t.group == "run" for t in found.design.terms) == sum(t.group == "tool" for t in found.design.terms) == 6
+
+
+def test_readings_along_a_direction_fit_the_same_machine_as_vectors():
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    vectors = measured(simulated, scattered(200, 8), noise=NOISE, seed=8, u=NOISE)
+    turned = np.linalg.qr(np.random.default_rng(8).normal(size=(200, 3, 3)))[0]  # three directions at each point
+    along = np.einsum("pkc,pc->pk", turned, vectors.value.reshape(-1, 3)).ravel()
+    rows = replace(vectors, sense=turned.reshape(-1, 3), value=along, kind=np.full(600, 3))
+    one, other = (fit(design(machine, r), r) for r in (vectors, replace(vectors, kind=np.full(600, 3))))
+    laser = fit(design(machine, rows), rows)
+    assert laser.chi2 == pytest.approx(other.chi2, rel=1e-8)
+    assert laser.coefficients[laser.determined] == pytest.approx(other.coefficients[other.determined], abs=1e-9)
+    assert np.array_equal(laser.determined, one.determined)
+
+
+def test_one_reading_a_point_is_enough():
+    simulated, machine = both("XYFZ", (10, -20, -150))
+    full = measured(simulated, scattered(900, 10), noise=NOISE, seed=10)
+    unit = np.random.default_rng(10).normal(size=(900, 3))
+    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    value = (unit * full.value.reshape(-1, 3)).sum(axis=1)
+    none = np.full(900, np.nan)
+    laser = replace(full, point=np.arange(900), sense=unit, value=value, u=none, kind=np.full(900, 3))
+    found = fit(design(machine, laser), laser)
+    assert found.noise == pytest.approx({3: NOISE}, rel=0.06)
+    assert stats.kstest(found.residual * found.weight, "norm").pvalue > 0.01
