@@ -196,8 +196,8 @@ def separating_measurement(tracer: Tracer, finding: Candidate, rival: Rival, oth
     if size < 0.5 * sigma:
         bodies = sorted({component(finding.symbol).body, component(c.symbol).body})
         words = (
-            f"no reading at the tool separates them: watch the bodies {' and '.join(bodies)} with a displacement sensor or "
-            "an autocollimator"
+            f"no reading at the tool separates them: watch the bodies {' and '.join(bodies)} with a displacement "
+            "sensor or an autocollimator"
             if len(bodies) > 1
             else "change one of the columns alone: they went together in all readings"
         )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A smooth surface over one or two columns, to locate what no shape explains and to predict it - never to name it.
 
-Gaussian bumps on a grid over the columns, on one component, with a common prior on their heights; the evidence (marginal
-likelihood) chooses component, columns and resolution, so that wide and narrow features compete fairly.
+Gaussian bumps on a grid over the columns, on one component, with a common prior on their heights; the evidence
+(marginal likelihood) chooses component, columns and resolution, so that wide and narrow features compete fairly.
 """
 
 from __future__ import annotations

@@ -191,8 +191,8 @@ class Tracer:
         return step.significant and step.size > self.floor
 
     def selection(self, others, best: Candidate, pool, halves: int = 100) -> float:
-        """Share of half-samples of blocks that choose `best`, or one of the class that all readings together hardly tell
-        from it (what is tested is that half the machine tells the same story, not that it tells rivals apart)."""
+        """Share of half-samples of blocks that choose `best`, or one of the class that all readings together hardly
+        tell from it (what is tested is that half the machine tells the same story, not that it tells rivals apart)."""
         full = self.fit_with([*others, best])
         pool = [best] + [c for c in pool if c.key != best.key][:40]
         grams, base, mine = self.grams(full, others, pool)
