@@ -13,7 +13,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-core test-document test-gui test-matrix bench clean
+.PHONY: help system venv demo test test-style test-core test-document test-gui test-install test-matrix bench clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -33,19 +33,22 @@ demo: system
 	@mkdir -p $(OUT)
 	$(PYTHON) -m sensworkbench demo --out $(OUT)
 
-test: test-style test-core test-document test-gui
+test: test-style test-core test-document test-gui test-install
 
 test-style: venv
 	$(VENV_PYTHON) -m ruff check .
 
 test-core: venv
-	$(VENV_PYTHON) -m pytest --ignore=tests/document --ignore=tests/gui tests
+	$(VENV_PYTHON) -m pytest --ignore=tests/document --ignore=tests/gui --ignore=tests/install tests
 
 test-document: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py tests/document
 
 test-gui: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py --gui tests/gui
+
+test-install: system venv
+	$(VENV_PYTHON) -m pytest tests/install
 
 test-matrix:
 	tools/freecad-matrix.sh test
