@@ -48,9 +48,8 @@ def paint(text: LegendText, scale: Scale, size: float = 1.0):
     left_width = max(text_width(small, t) for t in labels) + 8 * size
     marks = _spread([(scale.fraction(v), name, v) for name, v in text.marks], bar_height, line)
     right_width = max([text_width(small, f"{n}  {number(v)}") for _, _, n, v in marks], default=0) + 16 * size
-    width = max(
-        left_width + bar_width + right_width, max(text_width(f, t) for f, t in head), text_width(small, text.no_data) + line
-    ) + 2 * pad  # fmt: skip
+    wide = [left_width + bar_width + right_width, text_width(small, text.no_data) + line]
+    width = max(wide + [text_width(f, t) for f, t in head]) + 2 * pad
     head_height = sum(QtGui.QFontMetrics(f).height() for f, _ in head)
     foot = line + 8 * size if text.no_data else 0
     height = pad + head_height + line + bar_height + line * 0.7 + foot + pad * 0.6

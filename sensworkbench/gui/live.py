@@ -15,7 +15,7 @@ from ..core import workspace
 from ..core.refusal import Refused
 from ..document import extract, factory, results
 from . import settings
-from .qt import Qt, QtCore, QtGui, later, main_window, translate
+from .qt import Qt, QtCore, QtGui, later, main_window, run, translate
 
 _waiting: set[tuple[str, str]] = set()
 LIVE_POINTS = 2000  # more positions than these are computed on command only
@@ -109,7 +109,7 @@ def _wait(task: Task, title: str) -> None:
     timer.timeout.connect(look)
     timer.start(40)
     dialog.show()
-    loop.exec_()
+    run(loop)
     timer.stop()
     dialog.close()
     dialog.deleteLater()

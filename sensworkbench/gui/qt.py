@@ -21,9 +21,9 @@ Signal = QtCore.Signal
 translate = App.Qt.translate
 
 
-def run(dialog) -> object:
-    """Run a modal dialog: exec_ is the one name that every version has."""
-    return dialog.exec_()
+def run(loop) -> object:
+    """Run a dialog or event loop: `exec` is what newer versions want, `exec_` is all that older ones have."""
+    return loop.exec() if hasattr(loop, "exec") else loop.exec_()
 
 
 def main_window():

@@ -71,8 +71,20 @@ def adopt_soon(doc) -> None:
     later(adopt)
 
 
+_EMPTY = {"App::PropertyXLinkSub": None, "App::PropertyXLink": None, "App::PropertyXLinkSubList": []}
+
+
 class Observer:
     """Sees undo and redo; what opens is told by its objects when they are restored."""
+
+    def slotDeletedObject(self, obj):
+        # FreeCAD 1.0 cannot undo the making of an object whose links it has yet to take back ("invalid container", and
+        # a crash later); what is emptied here, redo fills again
+        if "SensType" in obj.PropertiesList and getattr(obj.Document, "Transacting", False):
+            for name in obj.PropertiesList:
+                kind = obj.getTypeIdOfProperty(name)
+                if kind in _EMPTY:
+                    setattr(obj, name, _EMPTY[kind])
 
     def slotUndoDocument(self, doc):
         self._settle(doc)

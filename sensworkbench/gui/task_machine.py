@@ -375,8 +375,10 @@ def along_choices():
 
 def reference_choices():
     return [
-        translate("Sens", "Automatic"), translate("Sens", "at its placement"), translate("Sens", "at its centre of mass")
-    ]  # fmt: skip
+        translate("Sens", "Automatic"),
+        translate("Sens", "at its placement"),
+        translate("Sens", "at its centre of mass"),
+    ]
 
 
 def source_words(source, otherwise: str = "") -> str:

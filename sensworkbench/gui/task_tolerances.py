@@ -93,8 +93,8 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         if role != Qt.DisplayRole or orientation != Qt.Horizontal:
             return None
         return (
-            translate("Sens", "Error"), translate("Sens", "Lower"), translate("Sens", "Upper"), translate("Sens", "Unit"),
-            translate("Sens", "Distribution"), translate("Sens", "Component"), translate("Sens", "Meaning"),
+            translate("Sens", "Error"), translate("Sens", "Lower"), translate("Sens", "Upper"),
+            translate("Sens", "Unit"), translate("Sens", "Distribution"), translate("Sens", "Component"), translate("Sens", "Meaning"),
         )[section]  # fmt: skip
 
     def flags(self, index):
@@ -149,7 +149,7 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         return next((p for p in (r.problem() for r in self.rows) if p), "")
 
     def result(self) -> tuple[dict[str, Tolerance], dict[str, str]]:
-        """(tolerances, units); refuses the first row that cannot be read.  Errors at 0 beyond the usual 24 are left out."""
+        """(tolerances, units); refuses the first row that cannot be read; leaves out zeros beyond the usual 24."""
         found = {r.symbol: r.tolerance() for r in self.rows}
         usual = with_defaults({})
         kept = {s: t for s, t in found.items() if s in usual or t.lower or t.upper}

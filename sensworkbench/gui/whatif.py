@@ -25,9 +25,12 @@ ERROR, MEANING, OWNER, NEW, FACTOR, BEFORE, AFTER, MOVE = range(8)
 
 def factors():
     return [
-        (1.0, translate("Sens", "as it is")), (0.5, translate("Sens", "halved")), (0.25, translate("Sens", "a quarter")),
-        (0.0, translate("Sens", "frozen")), (2.0, translate("Sens", "doubled")),
-    ]  # fmt: skip
+        (1.0, translate("Sens", "as it is")),
+        (0.5, translate("Sens", "halved")),
+        (0.25, translate("Sens", "a quarter")),
+        (0.0, translate("Sens", "frozen")),
+        (2.0, translate("Sens", "doubled")),
+    ]
 
 
 class WhatIf(QtGui.QWidget):

@@ -250,8 +250,7 @@ def test_colour_maps():
     assert Scale(0.0, 0.5).ticks()[0] == 0.0 and Scale(0.0, 0.5).ticks()[-1] == 0.5
 
 
-def test_a_picture_can_be_saved_from_any_folder(machine, machine_doc, tmp_path):
-    doc = machine_doc
+def test_a_picture_can_be_saved_from_any_folder(machine, tmp_path):
     from sensworkbench.gui import export
 
     run("Sens_Sensitivity")

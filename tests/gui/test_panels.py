@@ -135,9 +135,15 @@ def test_machine_from_selection_proposes_and_is_one_undo_step(doc, workbench):
     screenshot("machine")
     click("Ok")
     assert doc.UndoCount == undos + 1 and factory.machine_of(doc).Structure == "XYFZ"
-    doc.undo()
-    pump(50)
-    assert differences(before, state(doc)) == []
+    made = state(doc)
+    for _ in range(2):
+        doc.undo()
+        pump(50)
+        assert differences(before, state(doc)) == []
+        doc.redo()
+        pump(50)
+        assert [d for d in differences(made, state(doc)) if "Parts" in d or " is " in d] == []
+        assert not factory.machine_of(doc).Problem
 
 
 def test_machine_from_selection_cancelled_leaves_nothing(doc, workbench):
