@@ -7,26 +7,12 @@ It is only a proposal: the panel shows it and everything can be changed.
 
 from __future__ import annotations
 
-import re
 from dataclasses import dataclass, field
 
 from ..core.errors import AXES
 from ..document import paths
 from ..document.base import kind_of
-
-# tried in this order: an axis letter says more than the kind of part
-_LETTER = re.compile(
-    r"(?:^|[^a-z])(?P<axis>[xyz])(?:[^a-z]|$|axis|achse|carriage|slide|schlitten|saddle|table|tisch|축)", re.I
-)
-_WORDS = (
-    ("W", r"workpiece|work ?piece|werkst|vice|vise|fixture|spannvorr|\bblank\b|\bstock\b|공작물|고정구"),
-    ("Z", r"headstock|spindle ?head|spindelkasten|quill|pinole|\bram\b|주축두"),
-    ("T", r"spindle|spindel|\btool\b|werkzeug|cutter|fraeser|fräser|주축|공구"),
-    ("F", r"\bbed\b|base|frame|column|bett|ständer|staender|gestell|베드|컬럼|foundation"),
-    ("Y", r"saddle|cross ?slide|kreuzschlitten|새들"),
-    ("X", r"table|tisch|gantry|bridge|portal|테이블"),
-)
-_WORKPIECE_SIDE = re.compile(r"table|tisch|saddle|cross ?slide|kreuzschlitten|workpiece|pallet|테이블|새들", re.I)
+from ..document.part_names import TOOL_POINT, WORKPIECE_SIDE, guess
 
 
 @dataclass
@@ -37,20 +23,6 @@ class Proposal:
     workpiece_chain: list[str] = field(default_factory=list)
     tool_chain: list[str] = field(default_factory=list)
     tool_point: tuple | None = None
-
-
-def guess(label: str) -> str:
-    """Body that a part of this name belongs to: F, X, Y, Z, T, W, or "" where the name says nothing."""
-    text = label.replace("_", " ").strip()
-    text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)  # CarriageX -> Carriage X
-    text = re.sub(r"\d+$", "", text)
-    words = [body for body, pattern in _WORDS[:1] if re.search(pattern, text, re.I)]
-    if words:
-        return words[0]
-    match = _LETTER.search(text)
-    if match:
-        return match["axis"].upper()
-    return next((body for body, pattern in _WORDS if re.search(pattern, text, re.I)), "")
 
 
 def candidates(doc) -> list[tuple]:
@@ -96,9 +68,7 @@ def _taken(found: Proposal, where) -> bool:
 
 def _tool_point(doc):
     for obj in doc.Objects:
-        if (paths._is_datum(obj) or obj.TypeId == "Part::Vertex") and re.search(
-            r"tool.?(point|tip|centre|center)|\btcp\b|\btip\b|werkzeugspitze|공구", obj.Label, re.I
-        ):
+        if (paths._is_datum(obj) or obj.TypeId == "Part::Vertex") and TOOL_POINT.search(obj.Label):
             return (obj, "")
     return None
 
@@ -118,7 +88,7 @@ def chains(found: Proposal) -> tuple[list[str], list[str]]:
         elif inside("T", name):
             side[name] = "tool"
         else:
-            side[name] = "workpiece" if _WORKPIECE_SIDE.search(labels[name]) else "tool"
+            side[name] = "workpiece" if WORKPIECE_SIDE.search(labels[name]) else "tool"
 
     def ordered(names, default):
         return sorted(names, key=lambda n: (sum(inside(n, m) for m in names if m != n), default.index(n)))
