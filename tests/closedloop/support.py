@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measured machines for the tests: the exact matrix product of tests/simulator on one side, the package on the other."""
+"""Measured machines for the tests: tests/simulator's exact product on one side, the package on the other."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def scattered(count: int, seed: int = 0, half: float = 300.0) -> np.ndarray:
 
 
 def declared_values(simulated, q, seed: int = 0, size: float = 1.0) -> dict:
-    """Cubic errors of a few um and urad at positions q, without constants and slopes of straightness, and squareness."""
+    """Cubic errors of a few um and urad at positions q (no constants, no slopes of straightness), and squareness."""
     rng = np.random.default_rng(seed)
     values = {name: size * float(rng.normal()) * 12e-6 for name in kinematics.SQUARENESS}
     for axis in "XYZ":

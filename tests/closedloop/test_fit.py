@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The declared fit: unbiased with honest uncertainties, robust to gross outliers, and fair to rows an effect explains."""
+"""The declared fit: unbiased with honest uncertainties, robust to gross outliers, fair to rows an effect explains."""
 
 from __future__ import annotations
 

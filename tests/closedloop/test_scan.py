@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The scan scores every candidate exactly as a refit would, and its p-values are fair where there is nothing to find."""
+"""The scan scores every candidate exactly as a refit would, and its p-values are fair where nothing is to find."""
 
 from __future__ import annotations
 
