@@ -11,9 +11,10 @@ import FreeCAD as App
 
 from ..core.refusal import Refused
 from ..document import extract, factory, refresh
-from ..document.base import alive, dress, kind_of
+from ..document.base import alive, kind_of
 from . import colours, display
 from .qt import later
+from .viewproviders import dress
 
 
 def adopt(doc) -> None:

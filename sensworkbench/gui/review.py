@@ -179,7 +179,10 @@ class Review(QtGui.QDockWidget):
         return factory.sensitivity_of(machine) if machine is not None else None
 
     def set_machine(self, machine) -> None:
-        self.key = (machine.Document.Name, machine.Name)
+        key = (machine.Document.Name, machine.Name)
+        if key != self.key:
+            self.key = key
+            self.ranking.table.clear()  # what was chosen belonged to another machine
         self.refresh()
 
     def soon(self):

@@ -93,9 +93,14 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         if role != Qt.DisplayRole or orientation != Qt.Horizontal:
             return None
         return (
-            translate("Sens", "Error"), translate("Sens", "Lower"), translate("Sens", "Upper"),
-            translate("Sens", "Unit"), translate("Sens", "Distribution"), translate("Sens", "Component"), translate("Sens", "Meaning"),
-        )[section]  # fmt: skip
+            translate("Sens", "Error"),
+            translate("Sens", "Lower"),
+            translate("Sens", "Upper"),
+            translate("Sens", "Unit"),
+            translate("Sens", "Distribution"),
+            translate("Sens", "Component"),
+            translate("Sens", "Meaning"),
+        )[section]
 
     def flags(self, index):
         base = Qt.ItemIsEnabled | Qt.ItemIsSelectable
@@ -208,6 +213,8 @@ class TaskTolerances:
         self.table.setEditTriggers(QtGui.QAbstractItemView.AllEditTriggers)
         self.table.setTabKeyNavigation(True)
         self.table.resizeColumnsToContents()
+        for column in (LOWER, UPPER):
+            self.table.setColumnWidth(column, 74)
         layout.addWidget(self.table, 1)
         row = QtGui.QHBoxLayout()
         self.value = QtGui.QLineEdit()

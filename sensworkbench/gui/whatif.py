@@ -20,7 +20,7 @@ from .qt import Qt, QtGui, translate
 from .ranking import _Item, angular
 from .texts import body_name, error_meaning, limits
 
-ERROR, MEANING, OWNER, NEW, FACTOR, BEFORE, AFTER, MOVE = range(8)
+ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 
 
 def factors():
@@ -62,9 +62,9 @@ class WhatIf(QtGui.QWidget):
         self.table.setUniformRowHeights(True)
         self.table.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.table.setHeaderLabels([
-            translate("Sens", "Error"), translate("Sens", "Meaning"), translate("Sens", "Component"),
-            translate("Sens", "Tolerance"), translate("Sens", "Change"),
-            translate("Sens", "Sᵀ now"), translate("Sens", "Sᵀ then"), translate("Sens", "Rank"),
+            translate("Sens", "Error"), translate("Sens", "Change"), translate("Sens", "Sᵀ now"),
+            translate("Sens", "Sᵀ then"), translate("Sens", "Rank"), translate("Sens", "Tolerance"),
+            translate("Sens", "Component"), translate("Sens", "Meaning"),
         ])  # fmt: skip
         self.table.setSortingEnabled(True)
         self.table.sortByColumn(AFTER, Qt.DescendingOrder)
@@ -178,10 +178,10 @@ class WhatIf(QtGui.QWidget):
             before, here = ranks[0].get(symbol, 0), ranks[1][symbol]
             arrow = "" if before == here else " ▲" if here < before else " ▼"
             texts = (
-                symbol, error_meaning(symbol), body_name(self.machine, owner),
-                limits(law.lower, law.upper, unit, is_angle) if law else "",
-                words.get(factor, f"× {factor:g}") if factor != 1.0 else "",
+                symbol, words.get(factor, f"× {factor:g}") if factor != 1.0 else "",
                 f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
+                limits(law.lower, law.upper, unit, is_angle) if law else "",
+                body_name(self.machine, owner), error_meaning(symbol),
             )  # fmt: skip
             for column, text in enumerate(texts):
                 item.setText(column, text)
@@ -193,9 +193,8 @@ class WhatIf(QtGui.QWidget):
             for column, value in ((BEFORE, now.get(symbol, 0.0)), (AFTER, after[symbol]), (MOVE, float(here))):
                 item.setData(column, Qt.UserRole, float(value))
                 item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
-        for column in range(MOVE + 1):
+        for column in range(MEANING + 1):
             self.table.resizeColumnToContents(column)
-        self.table.setColumnWidth(MEANING, min(120, self.table.columnWidth(MEANING)))
         self.summary.setText(self._words(then))
 
     def _words(self, then) -> str:

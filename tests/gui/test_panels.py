@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+import time
+
 import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 import pytest
 
+from sensworkbench.core import workspace
 from sensworkbench.document import extract, factory, tables
-from sensworkbench.gui import display, pointers, proposal, review, settings
+from sensworkbench.gui import colormap, colours, display, pointers, proposal, review, settings
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_jog import TaskJog
 from sensworkbench.gui.task_machine import TaskMachine, new_machine
@@ -203,6 +206,13 @@ def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     assert (table.Placement.Base - start).x == pytest.approx(-120.0)  # a table goes the other way
     assert factory.axis_of(machine, "X").Position.Value == 120.0
     assert panel.sliders["X"].value() > 500
+    result = factory.sensitivity_of(machine)
+    assert "At X 120.0, Y 0.0, Z 60.0 mm" in result.ViewObject.Proxy.legend._content[0].subtitle
+    totals = {b: float(panel.table.item(i, 5).text()) for i, b in enumerate("XYZ")}
+    scale = colormap.automatic(totals.values())
+    for body, total in totals.items():
+        shown = colours.shown_colour(colours.targets(machine)[body][0].obj)
+        assert shown == pytest.approx(scale.colour(total), abs=0.02)
     screenshot("jog")
     click("Ok")
     assert machine_doc.UndoCount == undos + 1
@@ -210,6 +220,27 @@ def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     pump(100)
     assert (table.Placement.Base - start).Length < 1e-9
     assert factory.axis_of(machine, "X").Position.Value == 0.0
+
+
+def test_a_jog_takes_less_than_50_ms_of_work(machine, machine_doc):
+    run("Sens_Sensitivity")
+    machine.Aggregate, machine.Grid = "grid", 11
+    panel = TaskJog(machine)
+    Gui.Control.showDialog(panel)
+    pump(100)
+    core, objective = extract.core_machine(machine), extract.objective(machine)
+    result = factory.sensitivity_of(machine)
+    taken = []
+    for i in range(9):
+        start = time.thread_time()
+        panel.position["X"] = 10.0 * i
+        panel._move()  # parts, offsets, indices at the position, colours, legend
+        found = workspace.sensitivity(core, workspace.grid(core, 11), objective, estimate=False)
+        values = dict(zip(found.bodies, found.component_total.tolist()))
+        colours.apply(machine, result, values, display.scale(result))
+        taken.append(time.thread_time() - start)
+    click("Cancel")
+    assert sorted(taken)[len(taken) // 2] < 0.05, taken
 
 
 def test_jog_cancelled_puts_the_parts_back(machine, machine_doc):
