@@ -70,13 +70,13 @@ def _grid(low: float, high: float, count: int) -> list[float]:
 def periods(v: np.ndarray, oversample: float = 3.0, limit: int = 900) -> list[float]:
     """Periods to try on positions v: from the span down to 2.5 mm, or to twice the step of a regular grid."""
     values = np.unique(np.round(v, 4))
-    if len(values) < 8:
+    if len(values) < 6:
         return []
     gaps = np.diff(values)
     span = float(np.ptp(values))
     regular = float(np.ptp(gaps)) < 0.02 * float(gaps.mean())
     shortest = 2.0 * float(gaps.mean()) if regular else max(2.5, span / 300)
-    high, low = 1 / shortest, 1.25 / span
+    high, low = 1 / shortest, (0.4 if regular else 1.25) / span
     count = int(min(limit, max(0, (high - low) * span * oversample)))
     return [float(1 / f) for f in np.linspace(low, high, count)] if count else []
 

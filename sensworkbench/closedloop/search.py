@@ -94,7 +94,7 @@ def handicap(symbol: str, shape: Shape) -> float:
     if shape.shape == "polynomial" and shape.driver.startswith("temp_"):
         cost += 5.0  # expansion is linear
     if shape.shape == "approach":
-        cost -= 3.0  # every machine warms up
+        cost -= 6.0  # every machine warms up
     axes = axes_of(shape.driver)
     if c.kind == SQUARENESS:
         cost += 2.0  # its lever holds the axis position: one more factor
@@ -113,7 +113,7 @@ def handicap(symbol: str, shape: Shape) -> float:
     if c.kind == TRANSLATION and "XYZ"[c.axis] != c.body:
         cost += 0.3
     elif c.kind == TRANSLATION and axes == {c.body}:
-        cost -= 1.5  # an axis along itself, by its own scale, place or direction
+        cost -= 3.0  # an axis along itself, by its own scale, place or direction
     if c.kind == ROTATION and axes and "XYZ"[c.axis] in axes and c.body in axes:
         cost += 0.05
     return cost + 0.01 * "XYZTW".index(c.body)

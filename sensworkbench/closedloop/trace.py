@@ -63,9 +63,13 @@ def trace(
     named = _consistent(tracer)
     tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)
+    if structured and named and _pieces(tracer, named):
+        named = [s for s in named if not s.refused]
+        tracer.polish(named)
+        smooth, remainder, structured = _remainder(tracer, named)
     if not tell(0.75, "what is left is tested"):
         raise Cancelled("cancelled")
-    hidden = _unlogged(tracer, [*[s.candidate for s in named], *smooth])
+    hidden = None if structured else _unlogged(tracer, [*[s.candidate for s in named], *smooth])
     verdict = _verdict(tracer, named, structured, hidden)
     return TraceReport(tracer, declared, named, smooth, remainder, structured, hidden, verdict).outcome(tell)
 
@@ -111,6 +115,27 @@ def _consistent(tracer: Tracer) -> list[Step]:
         if not changed:
             return named
     return named
+
+
+def _pieces(tracer: Tracer, named) -> bool:
+    """Refuse names that are pieces of the structure that is left: with the name taken out, a surface of other columns
+    explains what it explained.  True if any was refused."""
+    found = False
+    for step in named:
+        c = step.candidate
+        others = [s.candidate for s in named if s is not step and not s.refused]
+        surface = tracer.remainder(others).structure
+        if surface is None or set(surface.columns) <= set(driver_columns(c.shape.driver)):
+            continue
+        beside = [*others, surface_candidate(surface)]
+        full = tracer.fit_with([*beside, c])
+        gain, _, _ = exact_gain(tracer.rows_with(full, beside), c.index, vectors_of(c.shape, tracer.readings.columns))
+        alone = exact_gain(tracer.rows_with(full, others), c.index, vectors_of(c.shape, tracer.readings.columns))[0]
+        if gain < 0.4 * alone:
+            columns = " and ".join(surface.columns)
+            step.refused = f"a smooth surface over {columns} explains it and more: it is a piece of another shape"
+            found = True
+    return found
 
 
 def _remainder(tracer: Tracer, named) -> tuple[list[Candidate], Remainder, bool]:

@@ -29,11 +29,11 @@ from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
 ALPHA = 0.01
-SELECTION = 0.9
+SELECTION = 0.8
 RIVAL = 9.0
 SHORT_BLOCKS, LONG_BLOCKS = 30, 10
 COLOURED = 0.3  # correlation of successive residuals from which the noise is taken to remember
-CLASS = 16.0  # in chi-square: less is within two standard errors of a held-out comparison
+CLASS = 25.0  # in chi-square: within reach of a held-out comparison
 MOST_EFFECTS = 4
 LARGEST_UM = 500.0  # a plausible effect is smaller
 DETECTABLE = 6.0  # nats of evidence: less is no structure
@@ -313,6 +313,19 @@ class Tracer:
         for i, a in enumerate(self.steps):
             for b in self.steps[i + 1 :]:
                 ca, cb = a.candidate, b.candidate
+                lossy = next((c for c in (ca, cb) if c.shape.shape == "hysteresis"), None)
+                if (
+                    lossy
+                    and ca.symbol == cb.symbol
+                    and {ca.shape.driver, cb.shape.driver}
+                    == {
+                        lossy.shape.driver,
+                        f"dir_{lossy.shape.driver}",
+                    }
+                ):  # a reversal and a hysteresis of one axis are one hysteresis
+                    a.candidate = lossy
+                    self.steps.remove(b)
+                    return True
                 names = set(ca.shape.driver.split("*")) | set(cb.shape.driver.split("*"))
                 plain = {ca.shape.shape, cb.shape.shape} <= {"linear", "polynomial"}
                 if ca.symbol != cb.symbol or len(names) != 1 or not plain:

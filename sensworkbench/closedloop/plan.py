@@ -1,0 +1,415 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Design check before measuring: what a table of places and conditions could show, with no reading taken yet.
+
+Every candidate effect is projected off the declared model on these places, as a trace does with readings.  What is left
+of it is its visible share, from which follow the smallest amplitude that the plan would detect and the candidates that
+it could not tell apart.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from statistics import NormalDist
+
+import numpy as np
+
+from ..core.drivers import driver_columns
+from ..core.errors import COMPONENTS
+from ..core.machine import Machine
+from ..core.refusal import Refused
+from ..core.synthesis import omega
+from . import catalogue
+from .bank import POSITIONS, Shape, bank, useful_columns
+from .catalogue import Physical
+from .design import ALIGNMENT, ALL_SYMBOLS, Design, alike, declared_columns, design, tool_labels
+from .effects import coefficient_unit
+from .fit import Basis, basis, fit, null_space_words
+from .readings import Readings
+from .scan import Rows, Scanner
+from .search import handicap
+
+HIDDEN = 0.05  # a smaller visible share is no basis for a claim
+SAME = 0.95  # candidates whose projected columns have a larger |cosine| are not told apart
+ALPHA, POWER = 0.01, 0.9  # family-wise error over all candidates, and the chance to find what is there
+FLOOR = 0.2  # of one reading's noise, rms over the readings: a trace names nothing smaller
+LEADS = (4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0)  # mm, of the usual ball screws
+LONGER_MM = 100.0
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One component x driver x shape in a plan.
+
+    symbol : the plainest of the components that move alike here (`alike` names the others).  visible : share of its
+    square that the declared model cannot imitate (the median over unknown parameters; `least`: the smallest).
+    amplitude_um : the smallest rms over the readings that is detected, um; None if hidden.  coefficient, unit : the
+    same as a coefficient.  entry : the named physical effect that it matches, or None.
+    """
+
+    symbol: str
+    alike: tuple[str, ...]
+    driver: str
+    shape: str
+    visible: float
+    least: float
+    amplitude_um: float | None
+    coefficient: float | None
+    unit: str
+    entry: Physical | None
+    place: int  # of its component among the plan's groups
+    example: Shape  # the shape with a middle value of its unknown parameter
+    handicap: float
+
+    @property
+    def hidden(self) -> bool:
+        return self.visible < HIDDEN
+
+    @property
+    def columns(self) -> frozenset[str]:
+        return frozenset(driver_columns(self.driver))
+
+
+@dataclass(frozen=True)
+class Lead:
+    """A screw lead on one axis (mm).  visible : share of its cyclic error.  alias : the period that looks the same, mm;
+    inf where it looks like a constant, None where nothing does."""
+
+    axis: str
+    lead: float
+    visible: float
+    alias: float | None
+
+
+def as_readings(positions: Readings, noise_mm: float, normals=None, directions=(0, 1, 2)) -> Readings:
+    """A plan as readings of value 0: full vectors, some `directions` of them, or one reading along `normals` (P, 3).
+
+    noise_mm : standard uncertainty of each reading.
+    """
+    count = positions.points
+    if normals is not None:
+        point, sense, kind = np.arange(count), np.asarray(normals, dtype=float), np.full(count, 3)
+    else:
+        kind = np.tile(np.asarray(directions, dtype=int), count)
+        point = np.repeat(np.arange(count), len(directions))
+        sense = np.eye(3)[kind]
+    rows = len(point)
+    return replace(
+        positions, point=point, sense=sense, kind=kind, value=np.zeros(rows), u=np.full(rows, float(noise_mm))
+    )
+
+
+class Plan:
+    """A machine, the planned readings (values 0, uncertainty stated) and what they could show; computed when asked."""
+
+    def __init__(self, machine: Machine, readings: Readings):
+        if readings.rows < 12:
+            raise Refused(f"{readings.rows} readings are too few", "plan", "Plan at least 12.")
+        self.machine, self.readings = machine, readings
+        self.noise = float(readings.u[0])
+        self.design: Design = design(machine, readings)
+        weight = np.full(readings.rows, 1 / self.noise)
+        self.basis: Basis = basis(self.design.matrix, weight)
+        self.names = useful_columns(readings)
+        start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
+        self.rows = Rows(self.design.lever / self.noise, np.zeros(readings.rows), start, self.basis.q)
+        self.groups = alike(self.design.lever)
+        self.bank = bank(readings)
+
+    # -- the declared model --------------------------------------------------------------------------------------
+    @property
+    def parameters(self) -> int:
+        return len(self.design.terms)
+
+    @property
+    def rank(self) -> int:
+        return self.basis.rank
+
+    @cached_property
+    def null_space(self) -> list[str]:
+        return null_space_words(fit(self.design, self.readings), max(1, len(tool_labels(self.readings))))
+
+    def prediction_um(self, longer: float = 0.0, side: int = 4) -> tuple[float | None, float]:
+        """(rms standard uncertainty, um, 3-D, of the declared error over the workspace; share of it not determined).
+
+        longer : of the tool, mm.  The first is None where a direction of some place is not determined at all.
+        """
+        low, high = self.machine.travel.T
+        line = np.linspace(0, 1, side)
+        q = low + (high - low) * np.stack(np.meshgrid(line, line, line), axis=-1).reshape(-1, 3)
+        keep = [i for i, t in enumerate(self.design.terms) if t.group in ("declared", "alignment")]
+        terms = [self.design.terms[i] for i in keep]
+        values = declared_columns(self.machine, [t if t.group == "declared" else replace(t, order=0) for t in terms], q)
+        matrix = omega(self.machine, [t.symbol for t in terms], q, np.array([0.0, 0.0, -longer]))
+        shown = (matrix * values[:, None, :]).reshape(-1, len(keep))
+        scale = self.basis.scale[keep]
+        dark = shown[:, ~np.isfinite(scale)]
+        shown = np.where(np.isfinite(scale), shown / np.where(np.isfinite(scale), scale, 1.0), 0.0)
+        inside = shown @ self.basis.v[keep]
+        lost = (shown**2).sum(axis=1) - (inside**2).sum(axis=1) > 1e-9 * (shown**2).sum(axis=1)
+        if dark.size:
+            lost |= np.abs(dark).max(axis=1) > 1e-12
+        variance = ((inside / self.basis.s) ** 2).sum(axis=1)
+        if lost.any():
+            return None, float(lost.mean())
+        return 1e3 * float(np.sqrt(3 * variance.mean())), 0.0
+
+    @cached_property
+    def repeats(self) -> tuple[int, int]:
+        """(places visited again with the same tool, degrees of freedom of pure error that they give)."""
+        tool = np.zeros_like(self.readings.q) if self.readings.tool_offset is None else self.readings.tool_offset
+        place, number = np.unique(np.round(np.hstack([self.readings.q, tool]), 3), axis=0, return_counts=True)
+        return int((number > 1).sum()), int((len(self.readings.q) - len(place)) * self.readings.rows / len(tool))
+
+    # -- candidates ----------------------------------------------------------------------------------------------
+    @cached_property
+    def threshold(self) -> float:
+        """Drop of chi-square that an effect must give: beyond the family-wise limit with 90 % chance, above the floor."""
+        tried = max(1, len(self.bank) * len(self.groups))
+        normal = NormalDist()
+        found = (normal.inv_cdf(1 - ALPHA / (2 * tried)) + normal.inv_cdf(POWER)) ** 2
+        return max(found, FLOOR**2 * self.readings.rows)
+
+    @cached_property
+    def candidates(self) -> list[Candidate]:
+        """Every component x driver x shape over the columns present, the plainest first."""
+        return self._scored(self.bank)
+
+    @cached_property
+    def named(self) -> list[Candidate]:
+        """The candidates that match a named physical effect."""
+        if "candidates" in self.__dict__:
+            return [c for c in self.candidates if c.entry]
+        return [c for c in self._scored([s for s in self.bank if s.shape != "periodic"]) if c.entry] + [
+            c for c in self._scored(self._screws()) if c.entry
+        ]
+
+    def _screws(self) -> list[Shape]:
+        return [
+            Shape(a, "periodic", {"period": p}, 2)
+            for a in POSITIONS
+            if a in self.names and len(np.unique(self.readings.columns[a])) >= 8
+            for p in LEADS
+        ]
+
+    def _scored(self, shapes: list[Shape]) -> list[Candidate]:
+        if not shapes or not self.groups:
+            return []
+        columns = self.readings.columns
+        scanner = Scanner(self.rows, shapes, columns, [g[0] for g in self.groups])
+        alone: dict[tuple, list[int]] = {}
+        for k, shape in enumerate(shapes):
+            alone.setdefault((shape.driver, shape.shape), []).append(k)
+        out = []
+        for (driver, kind), members in alone.items():
+            for place, group in enumerate(self.groups):
+                if _declared(driver, kind, group):
+                    continue
+                share = np.sort(scanner.visible[members, place])
+                if scanner.shown[scanner.first[members], place].max() <= 0 and share.max() <= 0:
+                    continue
+                middle = members[int(np.argsort(scanner.visible[members, place], kind="stable")[len(members) // 2])]
+                out.append(self._candidate(shapes[middle], place, group, scanner, middle, share))
+        return sorted(out, key=lambda c: (c.handicap, c.symbol, c.driver, c.shape))
+
+    def _candidate(self, shape, place, group, scanner, k, share) -> Candidate:
+        symbols = sorted((ALL_SYMBOLS[i] for i in group), key=lambda s: handicap(s, shape))
+        symbol = symbols[0]
+        visible = float(share[len(share) // 2])
+        amplitude = coefficient = None
+        if visible >= HIDDEN:
+            one = scanner.first[k]
+            amplitude = 1e3 * self.noise * float(np.sqrt(self.threshold / (self.readings.points * visible)))
+            motion = float(np.sqrt(self.threshold / scanner.shown[one, place]))  # rms over the points
+            size = float(np.sqrt((shape.vectors(self.readings.columns)[:, 0] ** 2).mean()))
+            coefficient = motion / size * (1e6 if COMPONENTS[symbol].angular else 1e3)
+        unit = coefficient_unit(symbol, shape.shape, shape.driver, shape.parameters, self.readings.units)
+        return Candidate(
+            symbol=symbol,
+            alike=tuple(symbols[1:]),
+            driver=shape.driver,
+            shape=shape.shape,
+            visible=visible,
+            least=float(share[0]),
+            amplitude_um=amplitude,
+            coefficient=coefficient,
+            unit=unit,
+            entry=catalogue.physical(symbol, shape.driver, shape.shape),
+            place=place,
+            example=shape,
+            handicap=handicap(symbol, shape),
+        )
+
+    def physical(self) -> Iterator[tuple[Physical, list[Candidate]]]:
+        """Every named physical effect with its candidates in this plan, the plainest first; [] if none is testable."""
+        by_name: dict[str, list[Candidate]] = {}
+        for c in self.named:
+            by_name.setdefault(c.entry.name, []).append(c)
+        for entry in catalogue.CATALOGUE.values():
+            yield entry, by_name.get(entry.name, [])
+
+    def smallest_um(self, *keys: str) -> float | None:
+        """The smallest detectable rms (um) of the plainest visible candidate of these catalogue entries, or None."""
+        names = {catalogue.CATALOGUE[k].name for k in keys}
+        plain = [c for c in self.named if c.entry.name in names]
+        best = [c for c in plain if c.handicap <= plain[0].handicap + 1.0 and not c.hidden] if plain else []
+        return min((c.amplitude_um for c in best), default=None)
+
+    # -- what looks alike ----------------------------------------------------------------------------------------
+    def confused(self, limit: int = 900) -> list[tuple[Candidate, Candidate, float]]:
+        """Pairs of named, visible candidates of at most two factors whose projected columns have |cosine| > 0.95.
+
+        Different shapes of the same motion and columns are no pair.  The plainest `limit` candidates are compared.
+        """
+        plain = [
+            c
+            for c in self.named
+            if not c.hidden and len(driver_columns(c.driver)) <= 2 and c.shape not in ("power", "periodic", "step")
+        ][:limit]
+        if not plain:
+            return []
+        columns = self.readings.columns
+        point = self.readings.point
+        levers = self.rows.lever[:, [self.groups[c.place][0] for c in plain]]
+        x = levers * np.stack([c.example.vectors(columns)[:, 0] for c in plain], axis=1)[point]
+        x -= self.rows.q @ (self.rows.q.T @ x)
+        size = np.linalg.norm(x, axis=0)
+        x /= np.where(size > 0, size, 1.0)
+        cosine = x.T @ x
+        out = []
+        for i, j in zip(*np.nonzero(np.triu(np.abs(cosine) > SAME, 1))):
+            a, b = plain[i], plain[j]
+            if not (a.place == b.place and a.columns == b.columns):
+                out.append((a, b, float(cosine[i, j])))
+        return sorted(out, key=lambda p: p[0].handicap + p[1].handicap)
+
+    # -- periods -------------------------------------------------------------------------------------------------
+    @cached_property
+    def leads(self) -> list[Lead]:
+        """The usual screw leads on every axis whose position varies."""
+        out = []
+        for axis in POSITIONS:
+            v = self.readings.columns[axis]
+            if np.ptp(v) < 1e-6 or len(np.unique(np.round(v, 4))) < 3:
+                continue
+            symbol = f"E{axis.upper()}{axis.upper()}"
+            place = next((i for i, g in enumerate(self.groups) if ALL_SYMBOLS.index(symbol) in g), None)
+            shapes = [Shape(axis, "periodic", {"period": p}, 2) for p in LEADS]
+            seen = None if place is None else self._shares(shapes, place)
+            strong = alias_frequencies(v)
+            for k, lead in enumerate(LEADS):
+                out.append(Lead(axis, lead, 0.0 if seen is None else float(seen[k]), _alias(lead, strong, np.ptp(v))))
+        return out
+
+    def _shares(self, shapes, place) -> np.ndarray:
+        scanner = Scanner(self.rows, shapes, self.readings.columns, [self.groups[place][0]])
+        return scanner.visible[:, 0]
+
+    @property
+    def aliased(self) -> list[Lead]:
+        return [lead for lead in self.leads if lead.alias is not None]
+
+    # -- words ---------------------------------------------------------------------------------------------------
+    @property
+    def not_testable(self) -> list[dict]:
+        return catalogue.not_testable(self.names)
+
+    def numbers(self) -> dict:
+        """The numbers by which plans are compared."""
+        visible = [c for c in self.named if not c.hidden]
+        sizes = sorted(c.amplitude_um for c in visible)
+        predicted, _ = self.prediction_um()
+        longer, _ = self.prediction_um(LONGER_MM)
+        return {
+            "readings": self.readings.rows,
+            "places": self.readings.points,
+            "parameters": self.parameters,
+            "rank": self.rank,
+            "physical_effects_testable": sum(any(not c.hidden for c in cs) for _, cs in self.physical()),
+            "candidates_named": len(self.named),
+            "candidates_named_visible": len(visible),
+            "median_detectable_um": sizes[len(sizes) // 2] if sizes else None,
+            "prediction_um": predicted,
+            "prediction_longer_tool_um": longer,
+            "aliased_leads": len(self.aliased),
+            "pure_error_dof": self.repeats[1],
+        }
+
+
+def alias_frequencies(v) -> np.ndarray:
+    """Frequencies (1/mm) at which all places of v (P,) mm have nearly one phase: what differs by them looks the same."""
+    v = np.asarray(v, dtype=float)
+    span = float(np.ptp(v))
+    places = v - v.min()
+    if len(places) > 4000:
+        places = places[:: len(places) // 4000 + 1]
+    f = np.arange(1.0 / span, 2 / min(LEADS) + 0.5 / span, 1 / (8 * span))
+    window = np.concatenate(
+        [_window(part, places) for part in np.array_split(f, max(1, len(f) * len(places) // 10**6))]
+    )
+    found = []
+    for i in np.flatnonzero(window > SAME):
+        if window[i] >= window[max(i - 1, 0)] and window[i] >= window[min(i + 1, len(f) - 1)]:
+            near = f[i] + np.linspace(-1, 1, 81) / (8 * span)
+            found.append(float(near[int(np.argmax(_window(near, places)))]))
+    return np.array(found)
+
+
+def _window(f, places) -> np.ndarray:
+    return np.abs(np.exp(2j * np.pi * np.outer(f, places)).mean(axis=1))
+
+
+def _alias(lead: float, strong, span: float) -> float | None:
+    """The longest period that looks like `lead` (inf: a constant), or None."""
+    if not len(strong):
+        return None
+    difference = np.abs(1 / lead - strong)
+    slowest = float(difference.min())
+    if slowest < 0.25 / span:
+        return float("inf")
+    return 1 / slowest
+
+
+def _declared(driver: str, shape: str, group) -> bool:
+    """Is this an axis error driven by its own position, smoothly: what the declared model is made of?"""
+    columns = set(driver_columns(driver))
+    return shape in ("linear", "power") and any({COMPONENTS[ALL_SYMBOLS[i]].body.lower()} == columns for i in group)
+
+
+def pairs_in_words(pairs) -> list[dict]:
+    """Confused pairs, those of the same two drivers (or of one driver on the same two components) as one entry.
+
+    Each: {"drivers", "shapes", "components", "cosine" (the smallest |cosine|), "count"}; the plainest first.
+    """
+    kept: dict[tuple, dict] = {}
+    for a, b, cosine in pairs:
+        drivers = tuple(sorted({a.driver, b.driver}))
+        symbols = tuple(dict.fromkeys((a.symbol, b.symbol)))
+        key = drivers if len(drivers) > 1 else symbols
+        entry = kept.setdefault(
+            key, {"drivers": [], "shapes": [], "components": [], "effects": [], "cosine": 1.0, "count": 0}
+        )
+        entry["count"] += 1
+        entry["cosine"] = min(entry["cosine"], abs(cosine))
+        words = " / ".join(symbols)
+        for name, values in (
+            ("drivers", (a.driver, b.driver)),
+            ("shapes", (a.shape, b.shape)),
+            ("components", (words,)),
+            ("effects", (a.entry.name, b.entry.name)),
+        ):
+            entry[name] += [v for v in dict.fromkeys(values) if v not in entry[name]]
+    return list(kept.values())
+
+
+def bodies_alike(plan: Plan) -> list[list[str]]:
+    """Components that move the tool alike in every planned reading: no driver tells them apart."""
+    return [[ALL_SYMBOLS[i] for i in g] for g in plan.groups if len(g) > 1]
+
+
+def unseen(plan: Plan) -> list[str]:
+    """Components that show in no planned reading."""
+    shown = set(itertools.chain.from_iterable(plan.groups))
+    return [s for i, s in enumerate(ALL_SYMBOLS) if i not in shown and s not in ALIGNMENT]
