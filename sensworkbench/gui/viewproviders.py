@@ -256,3 +256,5 @@ def dress(obj) -> None:
         kind(view)
     elif kind is ViewProviderSensitivity:
         view.Proxy._declare(view)
+    if hasattr(view, "signalChangeIcon"):
+        view.signalChangeIcon()  # the tree may have asked before the view provider stood

@@ -424,3 +424,30 @@ def test_preferences_show_and_store_what_the_code_uses(workbench):
     page.saveSettings()
     assert settings.get("Order") == 6
     settings.put("Order", settings.DEFAULTS["Order"])
+
+
+def test_the_review_is_readable_on_a_dark_theme(machine, machine_doc):
+    from sensworkbench.gui.qt import QtGui
+
+    application = QtGui.QApplication.instance()
+    light, roles = QtGui.QPalette(application.palette()), QtGui.QPalette
+    night = QtGui.QPalette(light)
+    for role in (roles.Window, roles.Base, roles.AlternateBase, roles.Button):
+        night.setColor(role, QtGui.QColor(42, 44, 48))
+    for role in (roles.WindowText, roles.Text, roles.ButtonText):
+        night.setColor(role, QtGui.QColor(230, 232, 235))
+    application.setPalette(night)
+    try:
+        run("Sens_Sensitivity")
+        dock = review.dock()
+        for tab in range(3):
+            dock.tabs.setCurrentIndex(tab)
+            screenshot(f"dark-{tab}")
+            image = dock.tabs.currentWidget().grab().toImage()
+            values = [QtGui.QColor(image.pixel(x, y)).value() for x in range(0, image.width(), 2)
+                      for y in range(0, image.height(), 2)]  # fmt: skip
+            assert sum(v < 90 for v in values) > 0.5 * len(values)  # a dark ground
+            assert sum(v > 180 for v in values) > 200  # and light writing on it
+        dock.tabs.setCurrentIndex(0)
+    finally:
+        application.setPalette(light)
