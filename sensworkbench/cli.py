@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The command line: `python -m sensworkbench sensitivity|trace|predict|plan|demo`.
+"""The command line: `python -m sensworkbench sensitivity|plan|trace|predict|convert|import-errors|import-machine|demo`.
 
 Exit status 0: done, whatever the verdict; 2: the input was refused, with one message on stderr and nothing written;
 1: a defect of the program.  The verbs are the same under plain Python (machine.json) and inside FreeCAD (FCStd).
@@ -16,12 +16,13 @@ import traceback
 from collections.abc import Sequence
 from pathlib import Path
 
-from sensworkbench import __version__
+from sensworkbench import __version__, cli_exchange
 from sensworkbench.core.refusal import Refused
 
 DONE, DEFECT, REFUSED = 0, 1, 2
 
-_VALUED = ("--at", "--weights")  # options whose value may begin with a minus sign
+# options whose value may begin with a minus sign
+_VALUED = ("--at", "--weights", "--through", "--tool-point", "--noise")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -90,6 +91,22 @@ def parser() -> argparse.ArgumentParser:
     verb.add_argument("--no-alignment", action="store_true", help="leave out the fitted alignment and offsets")
     verb.set_defaults(run=_predict)
 
+    verb = verbs.add_parser("plan", help="what a measuring plan could find, before measuring", allow_abbrev=False)
+    verb.add_argument(
+        "machine", metavar="MACHINE", help="machine.json, or a FreeCAD document (.FCStd) that holds a machine"
+    )
+    verb.add_argument(
+        "positions", metavar="POSITIONS.csv", nargs="?", help="planned places and conditions; optional with --suggest"
+    )
+    verb.add_argument("--out", metavar="DIR", required=True, help="folder for plan.json, report.html, candidates.csv")
+    verb.add_argument("--noise", metavar="UM", type=_positive, default=1.0, help="of one reading, um (default 1)")
+    verb.add_argument("--suggest", metavar="N", type=_whole, help="write positions_suggested.csv with N places")
+    verb.add_argument("--seed", metavar="N", type=_whole, default=0, help="of the suggested plan (default 0)")
+    verb.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
+    verb.set_defaults(run=_plan)
+
+    cli_exchange.add(verbs, triple=_triple, whole=_whole)
+
     verb = verbs.add_parser("demo", help="an example machine from design to report", allow_abbrev=False)
     verb.add_argument("--out", metavar="DIR", required=True, help="folder for everything it makes")
     verb.add_argument("--structure", choices=("XYFZ", "FXYZ", "YFXZ"), default="XYFZ", help="which example machine")
@@ -123,6 +140,16 @@ def _whole(text: str) -> int:
     return int(text)
 
 
+def _positive(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number above zero")
+    return value
+
+
 def _joined(argv: Sequence[str]) -> list[str]:
     """`--at -10,5,3` as `--at=-10,5,3`: argparse would take the value for an option."""
     out: list[str] = []
@@ -142,7 +169,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         arguments.argv = argv
         return arguments.run(arguments)
     except Refused as refused:
-        _say(refused.message, sys.stderr)
+        say(refused.message, sys.stderr)
         return REFUSED
     except SystemExit as end:  # --help and --version
         return int(end.code or 0)
@@ -153,7 +180,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return DEFECT
 
 
-def _say(text: str, stream=None) -> None:
+def say(text: str, stream=None) -> None:
+    """Print a line, whatever the encoding of the stream."""
     stream = sys.stdout if stream is None else stream
     encoding = getattr(stream, "encoding", None) or "utf-8"
     print(text.encode(encoding, "replace").decode(encoding, "replace"), file=stream, flush=True)
@@ -162,7 +190,7 @@ def _say(text: str, stream=None) -> None:
 def _report_defect(error: Exception) -> None:
     text = "".join(traceback.format_exception(error))
     if os.environ.get("SENS_DEBUG"):
-        _say(text, sys.stderr)
+        say(text, sys.stderr)
         return
     where = "set SENS_DEBUG=1 to see where"
     try:
@@ -172,7 +200,7 @@ def _report_defect(error: Exception) -> None:
         where = f"details are in {path}"
     except OSError:
         pass
-    _say(f"This is a defect of Sens Workbench, not of your input: {type(error).__name__}; {where}.", sys.stderr)
+    say(f"This is a defect of Sens Workbench, not of your input: {type(error).__name__}; {where}.", sys.stderr)
 
 
 def is_document(path) -> bool:
@@ -185,7 +213,7 @@ def in_freecad() -> bool:
     return "FreeCAD" in sys.modules
 
 
-def _hand_over(arguments) -> int:
+def hand_over(arguments) -> int:
     """Run the same verb inside a new FreeCAD process; returns its exit status."""
     if not Path(arguments.machine).is_file():
         raise Refused("cannot be read: no such file", arguments.machine, "Check the name.")
@@ -195,7 +223,7 @@ def _hand_over(arguments) -> int:
 # -- sensitivity -----------------------------------------------------------------------------------------------------
 def _sensitivity(arguments) -> int:
     if is_document(arguments.machine) and not in_freecad():
-        return _hand_over(arguments)
+        return hand_over(arguments)
     from sensworkbench.formats import machine_json, runs
 
     picture = runs.read_picture(arguments.picture) if arguments.picture else None
@@ -207,7 +235,7 @@ def _sensitivity(arguments) -> int:
         machine, result = runs.compute(machine_json.load(arguments.machine), options)
         paths = runs.write(arguments.out, machine, result, arguments.angle_unit, picture)
     for path in paths:
-        _say(str(path))
+        say(str(path))
     return DONE
 
 
@@ -222,7 +250,7 @@ def sensitivity_options(arguments):
 # -- trace and predict -----------------------------------------------------------------------------------------------
 def _trace(arguments) -> int:
     if is_document(arguments.machine) and not in_freecad():
-        return _hand_over(arguments)
+        return hand_over(arguments)
     from sensworkbench.formats import machine_json, readings_csv, trace_run
 
     readings = readings_csv.load(arguments.readings, _mapping(arguments))
@@ -241,11 +269,11 @@ def _trace(arguments) -> int:
             if _same_file(Path(arguments.out) / "machine_augmented.FCStd", arguments.machine):
                 raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
             paths = trace_run.write(arguments.out, outcome, add_document)
-    _say(outcome.report["verdict"])
+    say(outcome.report["verdict"])
     for effect in outcome.report["effects"]:
-        _say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
+        say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
     for path in paths:
-        _say(str(path))
+        say(str(path))
     return DONE
 
 
@@ -269,7 +297,7 @@ def _same_file(one, other) -> bool:
 
 def _predict(arguments) -> int:
     if is_document(arguments.machine) and not in_freecad():
-        return _hand_over(arguments)
+        return hand_over(arguments)
     from sensworkbench.closedloop import predict
     from sensworkbench.formats import machine_json, readings_csv
 
@@ -281,9 +309,7 @@ def _predict(arguments) -> int:
         opened.close()
     else:
         machine = machine_json.load(arguments.machine)
-    for given in (arguments.positions, arguments.machine):
-        if _same_file(arguments.out, given):
-            raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
+    keep_inputs(arguments.out, arguments.positions, arguments.machine)
     try:
         error = predict.predict(machine, positions, alignment=not arguments.no_alignment)
     except Refused as refused:  # what is missing, is missing from this file
@@ -291,14 +317,60 @@ def _predict(arguments) -> int:
         raise refused.at(str(place)) from None
     outside = predict.extrapolated(machine, positions)
     readings_csv.save_predicted(arguments.out, arguments.positions, positions, error, outside, mapping)
-    _say(str(arguments.out))
+    say(str(arguments.out))
     return DONE
+
+
+# -- plan ------------------------------------------------------------------------------------------------------------
+def _plan(arguments) -> int:
+    if arguments.positions is None and arguments.suggest is None:
+        raise Refused("there is no plan to check", "plan", "Name POSITIONS.csv, or ask for one with --suggest N.")
+    if is_document(arguments.machine) and not in_freecad():
+        return hand_over(arguments)
+    from sensworkbench.formats import plan_out
+
+    readings = None
+    if arguments.positions is not None:
+        readings = plan_out.load(arguments.positions, arguments.noise, _mapping(arguments))
+        keep_inputs(Path(arguments.out) / plan_out.SUGGESTED, arguments.positions)
+    try:
+        machine = load_machine(arguments.machine)
+        checked = plan_out.check(machine, readings, arguments.noise, arguments.suggest, arguments.seed)
+    except Refused as refused:
+        if refused.where == "plan" and arguments.positions is not None:
+            raise Refused(refused.what, arguments.positions, refused.do) from None
+        raise
+    data = plan_out.to_dict(checked)
+    paths = plan_out.write(arguments.out, checked, data)
+    for line in plan_out.summary(data):
+        say(line)
+    for path in paths:
+        say(str(path))
+    return DONE
+
+
+def load_machine(path):
+    """The machine of a machine.json, or inside FreeCAD of a document."""
+    if not is_document(path):
+        from sensworkbench.formats import machine_json
+
+        return machine_json.load(path)
+    machine, opened = importlib.import_module("sensworkbench.document.batch").load_machine(path)
+    opened.close()
+    return machine
+
+
+def keep_inputs(out, *inputs) -> None:
+    """Refuse to write the file `out` over one of the inputs."""
+    for given in inputs:
+        if _same_file(out, given):
+            raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
 
 
 # -- demo ------------------------------------------------------------------------------------------------------------
 def _demo(arguments) -> int:
     from sensworkbench import demo
 
-    for path in demo.run(arguments.out, arguments.structure, _say):
-        _say(str(path))
+    for path in demo.run(arguments.out, arguments.structure, say):
+        say(str(path))
     return DONE

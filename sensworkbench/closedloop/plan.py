@@ -166,7 +166,7 @@ class Plan:
     # -- candidates ----------------------------------------------------------------------------------------------
     @cached_property
     def threshold(self) -> float:
-        """Drop of chi-square that an effect must give: beyond the family-wise limit with 90 % chance, above the floor."""
+        """Drop of chi-square that an effect must give: past the family-wise limit with 90 % chance, above the floor."""
         tried = max(1, len(self.bank) * len(self.groups))
         normal = NormalDist()
         found = (normal.inv_cdf(1 - ALPHA / (2 * tried)) + normal.inv_cdf(POWER)) ** 2
@@ -339,7 +339,7 @@ class Plan:
 
 
 def alias_frequencies(v) -> np.ndarray:
-    """Frequencies (1/mm) at which all places of v (P,) mm have nearly one phase: what differs by them looks the same."""
+    """Frequencies (1/mm) at which all places v (P,) mm have nearly one phase: what differs by them looks the same."""
     v = np.asarray(v, dtype=float)
     span = float(np.ptp(v))
     places = v - v.min()

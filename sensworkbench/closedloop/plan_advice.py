@@ -68,8 +68,8 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
         tools = again(with_tools(machine, readings, rng))
         length = tool_length(machine)
         yield Advice(
-            f"measure half of the places with a tool {length:g} mm longer, and some with the probe {SIDE_MM:g} mm to "
-            "the side",
+            f"measure a quarter of the places with a tool {length:g} mm longer, and a quarter with the probe "
+            f"{SIDE_MM:g} mm to the side",
             "combinations of declared parameters that cannot be told apart",
             plan.parameters - plan.rank,
             tools.parameters - tools.rank,
@@ -178,9 +178,9 @@ def tool_length(machine: Machine) -> float:
 
 
 def with_tools(machine: Machine, readings: Readings, rng) -> Readings:
-    """Half of the places with a longer tool, a quarter with the probe to the side."""
+    """A quarter of the places with a longer tool, and a quarter with the probe to the side, drawn at random."""
     tools = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -tool_length(machine)], [SIDE_MM, 0.0, 0.0]])
-    which = rng.permutation(np.resize([0, 1, 1, 2], readings.points))
+    which = rng.permutation(np.resize([0, 1, 0, 2], readings.points))
     return replace(readings, tool_offset=tools[which])
 
 
@@ -250,15 +250,15 @@ def suggest(machine: Machine, count: int, noise_mm: float, given: Readings | Non
     lateral offset, and places visited again through the session.
 
     given : a plan whose conditions (temperatures, loads, feed, speed) are kept, by their part of the session.  Of some
-    draws the one whose declared model predicts best, with the longer tool, is taken.
+    draws the one whose declared model predicts best, with both tool lengths, is taken.
     """
-    best, score = None, np.inf
+    best, score = _drawn(machine, count, noise_mm, given, np.random.default_rng([seed, 0])), np.inf
     for draw in range(DRAWS):
         rng = np.random.default_rng([seed, draw])
         one = _drawn(machine, count, noise_mm, given, rng)
         plan = Plan(machine, one)
-        u = plan.prediction_um(tool_length(machine))[0] or plan.prediction_um()[0]
-        value = (plan.parameters - plan.rank) * 1e6 + (1e5 if u is None else u)
+        uncertain = [plan.prediction_um(longer)[0] for longer in (0.0, tool_length(machine))]
+        value = (plan.parameters - plan.rank) * 1e6 + sum(1e5 if u is None else u for u in uncertain)
         if value < score:
             best, score = one, value
     return best
@@ -266,8 +266,10 @@ def suggest(machine: Machine, count: int, noise_mm: float, given: Readings | Non
 
 def _drawn(machine: Machine, count: int, noise_mm: float, given: Readings | None, rng) -> Readings:
     low, high = machine.travel.T
-    # each axis in as many strata as there are readings: no part of the travel is left out
+    # each axis in as many strata as there are readings, so that no part of the travel is left out; somewhat denser
+    # towards the ends, where polynomials are least certain
     q = np.stack([(rng.permutation(count) + rng.random(count)) / count for _ in range(3)], axis=1)
+    q = (q + (1 - np.cos(np.pi * q)) / 2) / 2
     q = np.round((low + (high - low) * q) / CLEAR_MM) * CLEAR_MM
     q = np.clip(q, low, high)
     columns = {n: q[:, i] for i, n in enumerate(POSITIONS)}

@@ -1,0 +1,289 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files of a measuring plan: the table of places in, plan.json, report.html, candidates.csv and a suggested table out.
+
+The table has the columns of measured.csv; readings in it are not needed and not used, but their names say which
+directions will be measured.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import math
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from sensworkbench.closedloop import plan as planning
+from sensworkbench.closedloop import plan_advice
+from sensworkbench.closedloop.plan import Candidate, Plan
+from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.core.machine import Machine
+from sensworkbench.core.refusal import Refused
+
+from . import column_names, csv_table, plan_report, readings_csv, sensitivity_out
+from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
+from .files import neutral, staged
+from .plan_report import SUGGESTED, number_words
+
+FEWEST, MOST = 30, 100_000  # readings of a suggested plan
+_UNITS = {"K": "C", "mm/min": "mm_min"}
+
+
+@dataclass(frozen=True)
+class Checked:
+    """plan : as given (None: only a suggestion was asked for), its advice, and the suggested plan (or None)."""
+
+    machine: Machine
+    noise_um: float
+    plan: Plan | None
+    advice: list[plan_advice.Advice]
+    suggested: Plan | None
+
+    @property
+    def shown(self) -> Plan:
+        return self.plan or self.suggested
+
+
+# -- in ----------------------------------------------------------------------------------------------------------------
+def load(path, noise_um: float, mapping=None) -> Readings:
+    """A planned table as readings of value 0; approach directions that it lacks are derived from the order of places.
+
+    One reading along nx, ny, nz where these are given; else the directions among ex, ey, ez that the names hold; else
+    all three.
+    """
+    positions = readings_csv.load_positions(path, mapping)
+    table = csv_table.read(path)
+    ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
+    bases = {}
+    for j, name in enumerate(table.names):
+        if name and name not in (mapping or {}).get("ignore", ()):
+            bases[column_names.parse(ours.get(name, name)).base] = j
+    columns, units, findings = dict(positions.columns), dict(positions.units), list(positions.findings)
+    derived = []
+    for axis in POSITION:
+        direction = readings_csv.approach_directions(columns[axis])
+        if f"dir_{axis}" not in columns and direction.any():
+            columns[f"dir_{axis}"], units[f"dir_{axis}"] = direction, ""
+            derived.append(f"dir_{axis}")
+    if derived:
+        text = f"{', '.join(derived)} not given: derived from successive places, which are taken in this order"
+        findings.append(Finding("info", "direction-derived", text))
+    positions = replace(positions, columns=columns, units=units, findings=tuple(findings))
+    if all(n in bases for n in NORMAL):
+        return planning.as_readings(positions, noise_um * 1e-3, _normals(table, bases, positions))
+    named = [i for i, e in enumerate(ERROR) if e in bases]
+    return planning.as_readings(positions, noise_um * 1e-3, None, named or (0, 1, 2))
+
+
+def _normals(table, bases, positions) -> np.ndarray:
+    n = np.stack([table.numbers(bases[a]) for a in NORMAL], axis=1)
+    length = np.sqrt((n**2).sum(axis=1))
+    bad = ~(np.abs(length - 1) < 1e-2)
+    if bad.any():
+        row = int(np.argmax(bad))
+        raise Refused(
+            "the direction of sensing is no unit vector",
+            f"{table.source}, line {int(table.line[row])}, columns nx, ny, nz",
+            "Give a unit vector in every row.",
+        )
+    order = np.searchsorted(table.line, positions.line)
+    return (n / length[:, None])[order]
+
+
+def check(machine: Machine, readings: Readings | None, noise_um: float, count: int | None, seed: int = 0) -> Checked:
+    """Judge a plan, advise, and suggest one of `count` places (None: no suggestion)."""
+    plan = None if readings is None else Plan(machine, _within_travel(machine, readings))
+    suggested = None
+    if count is not None:
+        if not FEWEST <= count <= MOST:
+            raise Refused(f"{count} places", "--suggest", f"Give {FEWEST} to {MOST}.")
+        suggested = Plan(machine, plan_advice.suggest(machine, count, noise_um * 1e-3, readings, seed))
+    shown = plan or suggested
+    return Checked(machine, noise_um, plan, plan_advice.advise(shown, seed), suggested)
+
+
+def _within_travel(machine: Machine, readings: Readings) -> Readings:
+    """The plan with a warning where the axes cannot go there."""
+    low, high = machine.travel.T
+    outside = np.flatnonzero(((readings.q < low - 1e-6) | (readings.q > high + 1e-6)).any(axis=1))
+    if not len(outside):
+        return readings
+    line = int(readings.line[outside[0]]) if readings.line is not None else 0
+    text = f"{len(outside)} places lie outside the travel of the machine, the first in line {line}"
+    return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))
+
+
+# -- out ---------------------------------------------------------------------------------------------------------------
+def to_dict(checked: Checked) -> dict:
+    """The data of plan.json."""
+    plan = checked.shown
+    pairs = planning.pairs_in_words(plan.confused())
+    return {
+        "format": "sens-plan",
+        "version": 1,
+        "machine": checked.machine.name,
+        "structure": checked.machine.structure,
+        "noise_um": checked.noise_um,
+        "judged": "given" if checked.plan is not None else "suggested",
+        "numbers": plan.numbers(),
+        "tools": len(planning.tool_labels(plan.readings)) or 1,
+        "suggested": None
+        if checked.suggested is None
+        else {
+            "numbers": checked.suggested.numbers(),
+            "effects": [_entry(entry, found) for entry, found in checked.suggested.physical()],
+        },
+        "identifiability": {
+            "columns": plan.parameters,
+            "rank": plan.rank,
+            "null_space": plan.null_space,
+            "no_reading_shows": planning.unseen(plan),
+            "move_alike": planning.bodies_alike(plan),
+        },
+        "threshold": {
+            "family_wise_p": planning.ALPHA,
+            "power": planning.POWER,
+            "candidates": len(plan.candidates),
+            "floor": planning.FLOOR,
+            "chi_square": plan.threshold,
+        },
+        "effects": [_entry(entry, found) for entry, found in plan.physical()],
+        "not_testable": plan.not_testable,
+        "hidden": [
+            {"name": c.entry.name, "component": c.symbol, "driver": c.driver, "shape": c.shape, "visible": c.visible}
+            for c in plan.named
+            if c.hidden
+        ],
+        "confused": pairs,
+        "periods": [
+            {
+                "axis": lead.axis,
+                "lead_mm": lead.lead,
+                "visible": lead.visible,
+                "looks_like_mm": "constant" if lead.alias == math.inf else lead.alias,
+            }
+            for lead in plan.leads
+        ],
+        "advice": [
+            {
+                "do": a.do,
+                "improves": a.improves,
+                "before": a.before,
+                "after": a.after,
+                "unit": "um" if a.unit == "um" else "",
+                "why": a.why,
+            }
+            for a in checked.advice
+        ],
+        "findings": [
+            {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
+            for f in plan.readings.findings
+        ],
+    }
+
+
+def _entry(entry, found: list[Candidate]) -> dict:
+    plain = next((c for c in found if not c.hidden), found[0] if found else None)
+    out = {
+        "name": entry.name,
+        "usual_size": entry.size,
+        "candidates": len(found),
+        "visible": sum(not c.hidden for c in found),
+        "plainest": None,
+    }
+    if plain is not None:
+        out["plainest"] = {
+            "component": plain.symbol,
+            "also": list(plain.alike),
+            "driver": plain.driver,
+            "shape": plain.shape,
+            "visible_share": plain.visible,
+            "smallest": None if plain.coefficient is None else {"value": plain.coefficient, "unit": plain.unit},
+            "smallest_um": plain.amplitude_um,
+        }
+    return out
+
+
+def candidates_csv(plan: Plan) -> str:
+    """Every component x driver x shape: one row each, the plainest first."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(
+        ("component", "also", "driver", "shape", "visible_share", "least_share", "smallest_um", "smallest", "unit",
+         "effect")
+    )  # fmt: skip
+    for c in plan.candidates:
+        number = lambda v: "" if v is None else f"{v:.6g}"  # noqa: E731
+        texts = (c.symbol, " ".join(c.alike), neutral(c.driver), c.shape)
+        writer.writerow(
+            (*texts, f"{c.visible:.4f}", f"{c.least:.4f}", number(c.amplitude_um), number(c.coefficient),
+             neutral(c.unit), c.entry.name if c.entry else "")
+        )  # fmt: skip
+    return stream.getvalue()
+
+
+def positions_csv(readings: Readings) -> str:
+    """A plan as a positions table that `plan`, and with readings beside it `trace`, read."""
+    units = readings.units
+    names, columns = [], []
+    for base, values in readings.columns.items():
+        unit = _UNITS.get(units.get(base, ""), units.get(base, ""))
+        if base in POSITION:
+            unit = "mm"
+        shift = 20.0 if base.startswith("temp_") else 0.0
+        names.append(f"{base}_{unit}" if unit and base not in DIRECTION else base)
+        columns.append([f"{v + shift:.10g}" for v in np.asarray(values, dtype=float)])
+    if readings.tool_offset is not None:
+        for i, base in enumerate(TOOL):
+            names.append(f"{base}_mm")
+            columns.append([f"{v:.10g}" for v in readings.tool_offset[:, i]])
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow([csv_table.safe_cell(n) for n in names])
+    writer.writerows(zip(*columns, strict=True))
+    return stream.getvalue()
+
+
+def write(folder, checked: Checked, data: dict) -> list[Path]:
+    """Write plan.json, report.html, candidates.csv and, where one was asked for, the suggested plan; all or nothing.
+
+    data : `to_dict(checked)`.
+    """
+    texts = {
+        "plan.json": sensitivity_out.dumps(data),
+        "report.html": plan_report.plan_report(data),
+        "candidates.csv": candidates_csv(checked.shown),
+    }
+    if checked.suggested is not None:
+        texts[SUGGESTED] = positions_csv(checked.suggested.readings)
+    with staged(folder) as work:
+        for name, text in texts.items():
+            (work / name).write_text(text, encoding="utf-8")
+    return [Path(folder) / name for name in texts]
+
+
+def summary(data: dict) -> list[str]:
+    """What came out, in a few lines."""
+    n = data["numbers"]
+    lost = n["parameters"] - n["rank"]
+    told = "all are told apart" if lost == 0 else f"{lost} combinations cannot be told apart"
+    lines = [
+        f"declared model: {n['rank']} of {n['parameters']} parameters determined; {told}",
+        f"named physical effects that could be found: {n['physical_effects_testable']} of {len(data['effects'])}",
+    ]
+    if n["median_detectable_um"] is not None:
+        lines.append(
+            f"smallest effect found at {data['noise_um']:g} um noise: {n['median_detectable_um']:.2g} um rms (median)"
+        )
+    if n["aliased_leads"]:
+        lines.append(f"aliased screw leads: {n['aliased_leads']} of {len(data['periods'])}")
+    lines += [f"{f['severity']}: {f['message']}" for f in data["findings"] if f["severity"] != "info"]
+    return lines + [f"advice: {a['do']} ({change_words(a)})" for a in data["advice"]]
+
+
+def change_words(advice: dict) -> str:
+    """`smallest drift that is found: not at all -> 0.8 um`."""
+    words = [number_words(advice[k], advice["unit"]) for k in ("before", "after")]
+    return f"{advice['improves']}: {words[0]} -> {words[1]}"
