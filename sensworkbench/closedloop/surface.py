@@ -96,6 +96,73 @@ def surface(rows: Rows, columns, component: int, names, wanted) -> Surface:
     return Surface(component, tuple(names), bumps, domains, nats, gain, float(keep.sum()), vectors[:, keep])
 
 
+def sharpen(rows: Rows, columns, found: Surface) -> Surface:
+    """The same component and columns at the resolution that these rows, with their noise now known, support."""
+    grid = itertools.product((*RESOLUTIONS, 30), repeat=len(found.columns))
+    tried = [
+        surface(rows, columns, found.component, found.columns, wanted)
+        for wanted in grid
+        if np.prod(wanted) <= 1.5 * MOST_BUMPS
+    ]
+    return max(tried, key=lambda s: s.evidence)
+
+
+def separable(rows: Rows, columns, found: Surface, rounds: int = 12) -> Surface | None:
+    """The surface as one profile along each column, multiplied - if so little freedom explains it as well (BIC).
+
+    Where readings leave gaps between lines, two profiles still predict; a free surface does not.
+    """
+    if len(found.columns) != 2:
+        return None
+    best: tuple[float, Surface] | None = None
+    penalty = np.log(len(rows.residual))
+    for wanted in itertools.product((8, 15, 28), repeat=2):
+        bumps = tuple(_counts(columns, n, w) for n, w in zip(found.columns, wanted, strict=True))
+        tables = [bump_features(columns, (n,), (b,), (d,)) for n, b, d in zip(found.columns, bumps, found.domains)]
+        start = _start(rows, found, columns, tables)
+        if start is None:
+            continue
+        profiles, freedom, gain = list(start), [0.0, 0.0], 0.0
+        for _ in range(rounds):
+            previous = gain
+            for i in (0, 1):
+                other = tables[1 - i] @ profiles[1 - i]
+                values, vectors, scores = _fit(rows, found.component, tables[i] * other[:, None])
+                _, prior = _evidence(values, scores)
+                profiles[i] = vectors @ (prior * scores / (1 + prior * values))
+                freedom[i] = float((prior * values / (1 + prior * values)).sum())
+                gain = float((scores**2 * prior * (2 + prior * values) / (1 + prior * values) ** 2).sum())
+            if abs(gain - previous) < 1e-3 * max(gain, 1.0):
+                break
+        mix = np.outer(*profiles).reshape(-1, 1)
+        score = gain - penalty * sum(freedom)
+        if np.all(np.isfinite(mix)) and (best is None or score > best[0]):
+            mix = mix / max(float(np.abs(mix).max()), 1e-300)
+            args = (found.component, found.columns, bumps, found.domains, found.evidence, gain, sum(freedom), mix)
+            best = (score, Surface(*args))
+    if best is None or best[0] < found.gain - penalty * found.freedom:
+        return None
+    return best[1]
+
+
+def _start(rows: Rows, found: Surface, columns, tables):
+    """Profiles to begin with: the leading singular vectors of the surface, put on other bumps."""
+    features = bump_features(columns, found.columns, found.bumps, found.domains)
+    values, vectors, scores = _fit(rows, found.component, features)
+    _, prior = _evidence(values, scores)
+    heights = (vectors @ (prior * scores / (1 + prior * values))).reshape(found.bumps)
+    u, s, vt = np.linalg.svd(heights)
+    if s[0] <= 0:
+        return None
+    out = []
+    for table, own, name, count, domain in zip(
+        tables, (u[:, 0] * s[0], vt[0]), found.columns, found.bumps, found.domains, strict=True
+    ):
+        profile = bump_features(columns, (name,), (count,), (domain,)) @ own
+        out.append(np.linalg.lstsq(table, profile, rcond=1e-6)[0])
+    return out
+
+
 def locate(rows: Rows, readings, names, components, leaders: int = 4) -> list[Surface]:
     """Surfaces by evidence, best first: all single columns and pairs at one resolution, the leaders at several."""
     columns = readings.columns

@@ -23,6 +23,7 @@ from .readings import Readings
 from .report import TraceReport
 from .scan import exact_gain
 from .search import Candidate, vectors_of
+from .surface import separable, sharpen
 from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer, surface_candidate
 from .unlogged import Unlogged, uneven_noise, unlogged_driver
 
@@ -162,8 +163,15 @@ def _remainder(tracer: Tracer, named) -> tuple[list[Candidate], Remainder, bool]
 
 
 def _smooth(tracer: Tracer, model, rest: Remainder) -> Candidate | None:
-    """The located surface, if it predicts left-out blocks at all."""
-    return surface_candidate(rest.structure) if rest.gain[0] > rest.gain[1] else None
+    """The located surface, if it predicts left-out blocks at all; sharpened once the noise beside it is known."""
+    if rest.gain[0] <= rest.gain[1]:
+        return None
+    found = rest.structure
+    for _ in range(2):
+        full = tracer.fit_with([*model, surface_candidate(found)])
+        rows = tracer.rows_with(full, model)
+        found = sharpen(rows, tracer.readings.columns, found)
+    return surface_candidate(separable(rows, tracer.readings.columns, found) or found)
 
 
 def _unlogged(tracer: Tracer, model) -> Unlogged | None:
