@@ -22,6 +22,7 @@ from ..core.refusal import Refused
 from ..core.workspace import Sensitivity
 from ..formats import runs
 from . import (
+    closed_loop,  # noqa: F401 - as objects
     objects,  # noqa: F401 - FreeCAD restores proxies only from modules that it knows, or that are loaded
     results,
     tables,

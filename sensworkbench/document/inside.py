@@ -22,6 +22,7 @@ def run() -> int:
     sys.stdout, sys.stderr = streams or (sys.__stdout__, sys.__stderr__)
     sys.argv = ["sensworkbench", *job["argv"]]
     try:
+        import sensworkbench.document.closed_loop
         import sensworkbench.document.objects  # noqa: F401
 
         runpy.run_module("sensworkbench", run_name="__main__", alter_sys=True)

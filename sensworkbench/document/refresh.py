@@ -12,6 +12,7 @@ import math
 from ..core.errors import AXES, BODIES
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from . import closed_loop
 from .base import members, numbers, put
 from .extract import Survey, survey
 from .factory import axis_of, body_of
@@ -51,6 +52,7 @@ def refresh(machine) -> Survey | None:
     digest = fingerprint(machine, core)
     put(machine, "Fingerprint", digest)
     _mark_stale(machine, digest)
+    closed_loop.mark_stale(machine, core)
     return found
 
 

@@ -1,0 +1,296 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The closed loop in the document: imported readings, what a trace of them found, and its effects under their bodies.
+
+Module and class names are stored in users' files and stay as they are.  The table is kept as it was imported and read
+again where it is needed; a trace keeps its report, its augmented machine and the residuals of every reading.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from pathlib import Path
+
+from ..core.refusal import Refused
+from .base import READ_ONLY, Property, SensObject, dress, internal, kind_of, members, put, result
+
+STAGES = ("uncorrected", "declared", "augmented")
+
+
+class ReadingsObject(SensObject):
+    """A table of readings as it was imported, with what its columns were taken for."""
+
+    kind = "Readings"
+    properties = (
+        Property("FileIncluded", "Table", "Readings", "The table as it was imported", None, 0, READ_ONLY),
+        result("String", "Source", "Name of the file"),
+        result("Integer", "Points", "Places at which something was read"),
+        result("Integer", "Rows", "Displacements that were read"),
+        result("StringList", "Columns", "Columns that may drive an error, with their units"),
+        result("StringList", "Runs", "Runs by name"),
+        result("StringList", "Findings", "What was noticed while reading, with line numbers"),
+        internal("String", "Mapping", "What each column was taken for and how the sign questions were answered, JSON",
+                 "{}"),
+        internal("String", "Digest", "SHA-256 of the table"),
+    )  # fmt: skip
+
+
+class TraceObject(SensObject):
+    """What a trace found; its effects become objects under their bodies on request."""
+
+    kind = "Trace"
+    properties = (
+        Property("Link", "Readings", "Trace", "The readings that were traced", None, 0, READ_ONLY),
+        result("String", "Verdict", "nothing_to_explain, explained, partly_explained or unexplained"),
+        result("String", "Summary", "The verdict in words"),
+        result("StringList", "Effects", "Effects that were found, by name"),
+        result("FloatList", "RmsInSample", "3-D rms, um: uncorrected, declared model, with the effects"),
+        result("FloatList", "RmsHeldOut", "The same on readings that took no part in the fit"),
+        result("VectorList", "Positions", "Programmed X, Y, Z of every point, mm"),
+        result("VectorList", "ToolOffsets", "Tool offset of every point, mm, machine frame; empty: none"),
+        result("VectorList", "Before", "Residual of the declared model at every point, held out, um, machine frame"),
+        result("VectorList", "After", "The same with the effects"),
+        result("Bool", "Stale", "The machine has changed since", False),
+        internal("String", "Report", "trace.json"),
+        internal("String", "Augmented", "machine_augmented.json"),
+        internal("StringList", "ResidualNames", "Residual series in Residuals"),
+        internal("FloatList", "Residuals", "One series after the other, one value per reading, um"),
+        internal("StringList", "CovarianceNames", "Parameters of the fit"),
+        internal("FloatList", "Covariance", "Their covariance, um and urad, row by row"),
+        internal("String", "Basis", "Digest of the machine that was traced"),
+        internal("StringList", "Added", "Names of the effect objects that were made from this trace"),
+        internal("String", "FittedBefore", "The machine's fitted errors before the effects were added"),
+    )
+
+    def execute(self, obj):
+        """Nothing: a trace is computed on command, never by a recompute."""
+
+
+# -- making ------------------------------------------------------------------------------------------------------------
+def _make(machine, proxy, name: str, label: str):
+    obj = machine.Document.addObject("App::FeaturePython", name)
+    proxy(obj)
+    obj.Label = label
+    machine.addObject(obj)
+    dress(obj)
+    return obj
+
+
+def make_readings(machine, path, mapping=None, label: str | None = None):
+    """Import a table (see docs/formats.md) under `machine`; the document keeps a copy of the file.
+
+    mapping : as `formats.readings_csv.load_mapping` returns, or None.  Refuses what cannot be read; nothing is made.
+    """
+    from ..formats import readings_csv
+
+    path = Path(path)
+    readings = readings_csv.load(path, mapping)
+    obj = _make(machine, ReadingsObject, "Readings", label or path.stem)
+    obj.Table = str(path)
+    put(obj, "Source", path.name)
+    put(obj, "Mapping", json.dumps(mapping or {}, sort_keys=True))
+    put(obj, "Digest", hashlib.sha256(path.read_bytes()).hexdigest())
+    put(obj, "Points", readings.points)
+    put(obj, "Rows", readings.rows)
+    units = {name: readings.units.get(name, "") for name in readings.columns}
+    put(obj, "Columns", [f"{name} ({unit})" if unit else name for name, unit in units.items()])
+    put(obj, "Runs", [] if readings.run is None else sorted({str(r) for r in readings.run}))
+    put(obj, "Findings", [finding_words(f) for f in readings.findings])
+    return obj
+
+
+def finding_words(finding) -> str:
+    """`line 7: ...` of a finding."""
+    return f"line {finding.line}: {finding.message}" if finding.line else finding.message
+
+
+def read(obj):
+    """The `closedloop.readings.Readings` of a Readings object."""
+    from ..formats import readings_csv
+
+    if not obj.Table or not Path(obj.Table).is_file():
+        raise Refused("its table is missing", obj.Label, "Import the readings again.")
+    return readings_csv.load(obj.Table, json.loads(obj.Mapping) or None)
+
+
+def make_trace(machine, readings_obj, outcome, traced):
+    """Store the `Outcome` of a trace; returns the Trace object (that of the same readings is used again).
+
+    traced : the core machine that was traced.
+    """
+    from ..formats import machine_json, sensitivity_out, trace_report
+
+    obj = trace_of(readings_obj)
+    if obj is None:
+        obj = _make(machine, TraceObject, "Trace", f"Trace of {readings_obj.Label}")
+        obj.Readings = readings_obj
+    report, readings = outcome.report, outcome.readings
+    known = {e.name for e in traced.effects}
+    put(obj, "Verdict", report["verdict"])
+    put(obj, "Summary", summary(report))
+    put(obj, "Effects", [e.name for e in outcome.machine.effects if e.name not in known])
+    put(obj, "RmsInSample", [report["error"][s]["in_sample"]["rms_um"] for s in STAGES])
+    put(obj, "RmsHeldOut", [report["error"][s]["held_out"]["rms_um"] for s in STAGES])
+    put(obj, "Positions", _vectors(readings.q))
+    put(obj, "ToolOffsets", [] if readings.tool_offset is None else _vectors(readings.tool_offset))
+    put(obj, "Before", _vectors(trace_report.point_vectors(outcome, "declared_held_out")))
+    put(obj, "After", _vectors(trace_report.point_vectors(outcome, "augmented_held_out")))
+    put(obj, "Report", sensitivity_out.dumps(report))
+    put(obj, "Augmented", machine_json.dumps(outcome.machine))
+    put(obj, "ResidualNames", list(outcome.residuals))
+    put(obj, "Residuals", [float(v) for series in outcome.residuals.values() for v in series.tolist()])
+    names, matrix = outcome.covariance
+    put(obj, "CovarianceNames", list(names))
+    put(obj, "Covariance", matrix.ravel())
+    put(obj, "Basis", basis(traced))
+    put(obj, "Added", [])
+    put(obj, "FittedBefore", "")
+    put(obj, "Stale", False)
+    return obj
+
+
+def _vectors(array) -> list:
+    import FreeCAD as App
+
+    return [App.Vector(*row) for row in array.tolist()]
+
+
+def summary(report) -> str:
+    """The verdict and what was found, in a sentence or two."""
+    from ..formats import trace_report
+
+    title, words = trace_report.VERDICTS[report["verdict"]]
+    found = [
+        f"{e['component']} driven by {trace_report.driver_words(e['driver'])}: {e['name']}" for e in report["effects"]
+    ]
+    return f"{title}. {words}" + (f" Found: {'; '.join(found)}." if found else "")
+
+
+# -- finding -----------------------------------------------------------------------------------------------------------
+def readings_of(machine) -> list:
+    return members(machine, "Readings")
+
+
+def traces_of(machine) -> list:
+    return members(machine, "Trace")
+
+
+def trace_of(readings_obj):
+    """The trace of a Readings object, or None."""
+    return next((o for o in readings_obj.InList if kind_of(o) == "Trace" and o.Readings == readings_obj), None)
+
+
+def outcome_of(obj):
+    """The `closedloop.outcome.Outcome` of a Trace object; refuses when its readings are gone."""
+    import numpy as np
+
+    from ..closedloop.outcome import Outcome
+
+    if obj.Readings is None:
+        raise Refused("its readings were deleted", obj.Label, "Import them again and trace again.")
+    readings = read(obj.Readings)
+    series = np.array(obj.Residuals).reshape(len(obj.ResidualNames), -1)
+    if series.shape[1] != readings.rows:
+        raise Refused("it belongs to other readings", obj.Label, "Trace again.")
+    residuals = dict(zip(obj.ResidualNames, series))
+    if "used" in residuals:
+        residuals["used"] = residuals["used"] > 0
+    names = list(obj.CovarianceNames)
+    matrix = np.array(obj.Covariance).reshape(len(names), len(names))
+    return Outcome(report_of(obj), augmented(obj), readings, residuals, (names, matrix))
+
+
+def report_of(obj) -> dict:
+    """trace.json of a Trace object."""
+    return json.loads(obj.Report)
+
+
+def augmented(obj):
+    """The core machine with fitted errors and traced effects, as it was when it was traced."""
+    from ..formats import machine_json
+
+    return machine_json.loads(obj.Augmented, obj.Label)
+
+
+# -- has the machine changed? ------------------------------------------------------------------------------------------
+def basis(core, without=()) -> str:
+    """Digest of all of a machine that a trace depends on, the effects named in `without` left out."""
+    arms = core.lever_arms([[0.0, 0.0, 0.0]])
+    words = [core.structure, core.squareness, sorted((s, int(d)) for s, d in core.declared.items())]
+    words += [
+        [e.name, e.component, e.driver, e.shape, dict(e.parameters)]
+        for e in core.effects
+        if e.enabled and e.name not in without
+    ]
+    values = [v for k in sorted(arms) for v in arms[k][0].tolist()]
+    for name, axis in sorted(core.axes.items()):
+        values += [*core.directions[name].tolist(), *axis.travel]
+    return json.dumps([words, values], sort_keys=True)
+
+
+def mark_stale(machine, core) -> None:
+    """Say of every trace of a machine whether the machine is still the one that was traced."""
+    from .refresh import same
+
+    for obj in traces_of(machine):
+        labels = {o.Label for o in added(obj)}
+        put(obj, "Stale", not same(obj.Basis, basis(core, labels)))
+
+
+# -- effects -----------------------------------------------------------------------------------------------------------
+def added(obj) -> list:
+    """The effect objects that were made from a trace and are still there."""
+    found = [obj.Document.getObject(name) for name in obj.Added]
+    return [o for o in found if o is not None and kind_of(o) == "Effect"]
+
+
+def can_add(obj) -> bool:
+    return bool(obj.Effects) and not obj.Stale and not added(obj)
+
+
+def add_effects(obj, names=None) -> list:
+    """Make the found effects (or those in `names`) objects under their bodies, with the errors fitted beside them.
+
+    Returns the effect objects.  They take part in the machine's error from then on.
+    """
+    from .extract import core_machine
+    from .factory import make_effect, owner_machine
+    from .refresh import refresh, same
+
+    machine = owner_machine(obj)
+    wanted = [n for n in obj.Effects if names is None or n in names]
+    if not wanted:
+        raise Refused("no effect was found that could be added", obj.Label)
+    if added(obj):
+        raise Refused("its effects were added already", obj.Label, "Remove them first.")
+    if not same(obj.Basis, basis(core_machine(machine))):
+        raise Refused("the machine has changed since it was traced", obj.Label, "Trace again.")
+    model = augmented(obj)
+    made = [make_effect(machine, e) for e in model.effects if e.name in wanted]
+    put(obj, "FittedBefore", machine.Fitted)
+    put(obj, "Added", [o.Name for o in made])
+    put(machine, "Fitted", json.dumps(_plain({k: v for k, v in model.fitted.items() if k != "covariance"})))
+    refresh(machine)
+    return made
+
+
+def _plain(value):
+    if hasattr(value, "items"):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(v) for v in value]
+    return value
+
+
+def remove_effects(obj) -> None:
+    """Take the effects of a trace out of the machine again, and the fitted errors that came with them."""
+    from .factory import owner_machine
+    from .refresh import refresh
+
+    machine = owner_machine(obj)
+    for effect in added(obj):
+        obj.Document.removeObject(effect.Name)
+    put(machine, "Fitted", obj.FittedBefore)
+    put(obj, "Added", [])
+    put(obj, "FittedBefore", "")
+    refresh(machine)
