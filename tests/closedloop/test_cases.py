@@ -71,7 +71,7 @@ def given():
 
 
 def derived_bound(case) -> float:
-    """rms (um) at the fresh places of the fit that knows the effects' forms; gross outliers left out as it finds them."""
+    """rms (um) at the fresh places of the fit that knows the effects; gross outliers left out as it finds them."""
     machine = from_dict(case.machine)
 
     def side(columns):
@@ -129,7 +129,7 @@ def test_outliers_and_roughness_of_a_given_case_are_listed_and_left_unnamed(give
     assert len(outcome.report["effects"]) == 1
 
 
-# -- simulated cases -----------------------------------------------------------------------------------------------------
+# -- simulated cases ---------------------------------------------------------------------------------------------------
 NAMED = [  # seed, kind, level, structure, plan, readings
     (20011, "column_bend", 1, "FXYZ", "random", 300),
     (20012, "backlash", 1, "XYFZ", "lines", 400),
