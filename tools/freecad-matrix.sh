@@ -177,11 +177,11 @@ inside() { # ROOT COMMAND...   in the current folder, in mount and process names
 tests_in_chroot() { # VERSION: all but style, under that version's own Python, numpy and Qt
     local root status=0
     root=$(root_of "$1")
-    inside "$root" python3 -m pytest -p no:cacheprovider --ignore=tests/document --ignore=tests/gui \
+    inside "$root" python3 -m pytest -p no:cacheprovider --disable-warnings --ignore=tests/document --ignore=tests/gui \
         --ignore=tests/install tests || status=1
-    inside "$root" python3 tests/run_in_freecad.py -p no:cacheprovider tests/document || status=1
-    inside "$root" python3 tests/run_in_freecad.py --gui -p no:cacheprovider tests/gui || status=1
-    inside "$root" python3 -m pytest -p no:cacheprovider tests/install || status=1
+    inside "$root" python3 tests/run_in_freecad.py -p no:cacheprovider --disable-warnings tests/document || status=1
+    inside "$root" python3 tests/run_in_freecad.py --gui -p no:cacheprovider --disable-warnings tests/gui || status=1
+    inside "$root" python3 -m pytest -p no:cacheprovider --disable-warnings tests/install || status=1
     return "$status"
 }
 

@@ -18,7 +18,7 @@ from ..core.drivers import Effect
 from ..core.errors import AXES
 from ..core.machine import Axis, Machine
 from ..core.refusal import Refused
-from . import geometry
+from . import geometry, joints
 from .base import kind_of, numbers
 from .factory import axis_of, body_of, effects_of
 from .paths import Place, place, places
@@ -167,7 +167,10 @@ def directions(machine, axes) -> tuple[dict[str, App.Vector], dict[str, str]]:
     for name, axis in axes.items():
         source = place(axis.DirectionSource) if axis.DirectionSource else parts_of(machine, name)[0]
         try:
-            vector, words[name] = geometry.direction(source, axis.DirectionAlong, name)
+            if joints.is_joint(source.object):
+                vector, words[name] = joints.direction(source), f"slider {source.object.Label}"
+            else:
+                vector, words[name] = geometry.direction(source, axis.DirectionAlong, name)
         except Refused as error:
             raise error.at(axis.Label) from None
         found[name] = vector * (-1.0 if axis.Reverse else 1.0)
@@ -186,7 +189,14 @@ def displacement(machine, body: str, u: dict[str, App.Vector], q: dict[str, floa
 
 
 def stands_at(machine) -> dict[str, float]:
-    return {name: float(axis.StandsAt) for name in AXES if (axis := axis_of(machine, name)) is not None}
+    """Axis name -> position at which its parts stand: as jogged, or as the slider of an assembly stands."""
+    found = {}
+    for name in AXES:
+        axis = axis_of(machine, name)
+        if axis is not None:
+            slid = joints.position(machine, axis, parts_of(machine, name))
+            found[name] = float(axis.StandsAt) if slid is None else slid
+    return found
 
 
 def current_position(machine) -> np.ndarray:
@@ -220,7 +230,11 @@ def survey(machine) -> Survey:
         try:
             if owner.ReferenceSource:
                 source = place(owner.ReferenceSource)
-                vector, words = geometry.point(source, owner.ReferenceAt)
+                if joints.is_joint(source.object):
+                    side = joints.carried_side(source, parts_of(machine, body))
+                    vector, words = joints.frame(source, side).Base, f"joint {source.object.Label}"
+                else:
+                    vector, words = geometry.point(source, owner.ReferenceAt)
             else:
                 source, vector, words = _own_reference(machine, body, owner.ReferenceAt)
         except Refused as error:

@@ -16,6 +16,7 @@ from . import closed_loop
 from .base import members, numbers, put
 from .extract import Survey, survey
 from .factory import axis_of, body_of
+from .joints import follow
 
 TOLERANCE = 1e-6  # mm, and relative: below this nothing has changed
 
@@ -23,6 +24,7 @@ TOLERANCE = 1e-6  # mm, and relative: below this nothing has changed
 def refresh(machine) -> Survey | None:
     """Write the results of a machine's objects; a refusal goes to its Problem.  Returns the survey, or None."""
     try:
+        follow(machine)
         found = survey(machine)
         _check_positions(machine)
     except Refused as error:

@@ -1,0 +1,314 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the joints of an assembly say: bodies, the sliders between them from the grounded part outwards, what is loose.
+
+Fixed joints make bodies, sliders connect them, and what only turns on a body (spindle, screw) rides on it.
+Sub-assemblies and links to assemblies are walked; those without a slider are one part.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from ..core.refusal import Refused
+from . import joints
+from .base import kind_of
+from .paths import Place, _is_datum, _is_folder, leaves, place
+
+RIDING = ("Revolute", "Cylindrical", "Ball")  # hold a part on its carrier, whatever it turns by
+PARALLEL = 1e-6
+
+
+@dataclass
+class Group:
+    """Parts that fixed joints make one body."""
+
+    parts: list[Place] = field(default_factory=list)
+    grounded: bool = False
+
+    @property
+    def label(self) -> str:
+        return ", ".join(p.object.Label for p in self.parts)
+
+
+@dataclass
+class Slider:
+    """One axis of the machine: its joint, and the bodies inside and outside of it, seen from the bed."""
+
+    joint: Place
+    inner: int
+    outer: int
+    side: int  # of the joint that moves outwards
+    axis: str = ""
+
+
+@dataclass
+class Reading:
+    """What an assembly says: bodies, sliders in chain order per branch from the bed, what nothing holds, remarks."""
+
+    assembly: Place
+    groups: list[Group]
+    bed: int
+    branches: list[list[Slider]]
+    left_out: list[Place] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def sliders(self) -> list[Slider]:
+        return [s for branch in self.branches for s in branch]
+
+
+def assemblies(doc) -> list:
+    """Assemblies of a document, and links to assemblies, that stand at its top level."""
+    return [o for o in doc.Objects if joints.is_assembly(joints.linked(o)) and not o.getParentGeoFeatureGroup()]
+
+
+# -- reading ---------------------------------------------------------------------------------------------------------
+def read(assembly) -> Reading:
+    """Read the joints of an assembly (or of a link to one); refuses by name what is no serial three-axis machine."""
+    where = place(assembly)
+    real = joints.linked(where.object) if where is not None else None
+    if not joints.is_assembly(real):
+        label = where.object.Label if where is not None else "nothing"
+        raise Refused(f"{label!r} is no assembly", label, "Select an assembly, or use Machine from Selection.")
+    parts, found = [], []
+    _walk(where, parts, found)
+    if not parts:
+        raise Refused(f"assembly {where.object.Label!r} holds no parts", where.object.Label, "Insert the parts first.")
+    return _Reader(where, parts, found).reading()
+
+
+def _walk(where: Place, parts: list[Place], found: list[Place]) -> None:
+    """Collect the parts of an assembly and its joints, those of sub-assemblies with sliders included."""
+    for obj in _content(where):
+        inner = where.child(obj)
+        real = joints.linked(obj)
+        if joints.is_joint(obj) or joints.is_ground(obj):
+            found.append(inner)
+        elif joints.is_assembly(real) and _has_slider(real) and not _is_rigid(real):
+            _walk(inner, parts, found)
+        elif _is_part(obj, inner):
+            parts.append(inner)
+
+
+def _content(where: Place):
+    seen = set()
+    stack = list(joints.linked(where.object).Group)
+    while stack:
+        obj = stack.pop(0)
+        if obj is None or obj.Name in seen:
+            continue
+        seen.add(obj.Name)
+        if _is_folder(obj):
+            stack.extend(obj.Group)
+        else:
+            yield obj
+
+
+def _is_rigid(assembly) -> bool:
+    """Whether it is a link to an assembly whose joints the solver holds still; a flexible one has its own joints."""
+    return bool(getattr(assembly, "Rigid", False))
+
+
+def _has_slider(assembly) -> bool:
+    for obj in assembly.OutListRecursive:
+        if joints.is_joint(obj) and obj.JointType == joints.SLIDER and joints.is_active(obj):
+            return True
+    return False
+
+
+def _is_part(obj, where: Place) -> bool:
+    if _is_datum(obj) or kind_of(obj) or obj.TypeId.startswith("Assembly::"):
+        return joints.is_assembly(joints.linked(obj)) and bool(leaves(where))
+    return hasattr(obj, "Placement") and bool(leaves(where))
+
+
+class _Reader:
+    """Turns parts and joints into bodies and a tree of sliders."""
+
+    def __init__(self, where: Place, parts: list[Place], found: list[Place]):
+        self.where, self.parts = where, parts
+        self.label = where.object.Label
+        self.index = {p.key: i for i, p in enumerate(parts)}
+        self.active = [j for j in found if joints.is_active(j.object)]
+        self.group_of = list(range(len(parts)))
+
+    def part(self, joint: Place, side: int) -> int | None:
+        """Number of the part that a side of a joint refers to; None where it is no part of this assembly."""
+        outer = joints.assembly_place(joint)
+        path = outer.path + joints.below(joints.reference(joint.object, side), joints.home_of(joint.object))
+        return self.number(Place(outer.root, path))
+
+    def number(self, where: Place) -> int | None:
+        key = where.key
+        return next((self.index[key[:n]] for n in range(len(key), 0, -1) if key[:n] in self.index), None)
+
+    def reading(self) -> Reading:
+        pairs = self._pairs()
+        for joint, one, other in pairs:
+            if joint.object.JointType == "Fixed":
+                self._merge(one, other)
+        self._merge_grounded()
+        numbers = {g: k for k, g in enumerate(dict.fromkeys(self.group_of))}
+        groups = [Group() for _ in numbers]
+        for i, part in enumerate(self.parts):
+            groups[numbers[self.group_of[i]]].parts.append(part)
+        bed = numbers[self.group_of[self.grounded[0]]]
+        groups[bed].grounded = True
+        edges = [(j, numbers[self.group_of[a]], numbers[self.group_of[b]]) for j, a, b in pairs]
+        sliders = self._unique([e for e in edges if e[0].object.JointType == joints.SLIDER and e[1] != e[2]])
+        branches = self._branches(groups, sliders, bed)
+        result = Reading(self.where, groups, bed, branches)
+        self._riders(result, edges)
+        return result
+
+    def _pairs(self):
+        found = []
+        for joint in self.active:
+            if not joints.is_joint(joint.object):
+                continue
+            ends = [self.part(joint, side) for side in (1, 2)]
+            if None not in ends and ends[0] != ends[1]:
+                found.append((joint, *ends))
+        return found
+
+    def _merge(self, one: int, other: int) -> None:
+        keep, gone = self.group_of[one], self.group_of[other]
+        self.group_of = [keep if g == gone else g for g in self.group_of]
+
+    def _merge_grounded(self) -> None:
+        grounds = [g for g in self.active if joints.is_ground(g.object)]
+        top = [g for g in grounds if joints.assembly_place(g).key == self.where.key]
+        self.grounded = []
+        for ground in top or grounds:
+            target = ground.object.ObjectToGround
+            if target is None:
+                continue
+            outer = joints.assembly_place(ground)
+            path = outer.path + joints.below(place((target, "")), joints.home_of(ground.object))
+            inside = Place(outer.root, path)
+            number = self.number(inside)
+            if number is not None:
+                self.grounded.append(number)
+            else:  # a sub-assembly that is walked: what stands on the ground inside of it
+                self.grounded += self._ground_inside(inside, grounds)
+        if not self.grounded:
+            raise Refused("no part is grounded", self.label, "Ground the bed (Toggle Grounded) first.")
+        for number in self.grounded[1:]:
+            self._merge(self.grounded[0], number)
+
+    def _ground_inside(self, where: Place, grounds) -> list[int]:
+        found = []
+        for ground in grounds:
+            outer = joints.assembly_place(ground)
+            target = ground.object.ObjectToGround
+            if outer.key[: len(where.key)] == where.key and target is not None:
+                path = outer.path + joints.below(place((target, "")), joints.home_of(ground.object))
+                number = self.number(Place(outer.root, path))
+                if number is not None:
+                    found.append(number)
+        linked = getattr(joints.linked(where.object), "LinkedObject", None)
+        if not found and linked is not None:  # a flexible link copies the joints, but not what is grounded
+            fixed = [j.ObjectToGround for j in linked.OutListRecursive if joints.is_ground(j)]
+            found = [self.number(where.child(o)) for o in _content(where) if getattr(o, "LinkedObject", None) in fixed]
+        return [number for number in found if number is not None]
+
+    def _unique(self, sliders):
+        """Two parallel sliders between the same bodies guide one axis."""
+        kept = []
+        for joint, one, other in sliders:
+            u = joints.direction(joint)
+            for known, a, b in kept:
+                if {a, b} == {one, other}:
+                    if joints.direction(known).cross(u).Length < PARALLEL:
+                        break
+                    raise Refused(
+                        f"{known.object.Label!r} and {joint.object.Label!r} connect the same parts in two directions",
+                        self.label,
+                        "Give each axis a carriage of its own.",
+                    )
+            else:
+                kept.append((joint, one, other))
+        return kept
+
+    def _branches(self, groups, sliders, bed) -> list[list[Slider]]:
+        rigid = [p.object.Label for p in self.parts if _is_rigid(p.object) and _has_slider(p.object)]
+        if len(sliders) < 3 and rigid:
+            raise Refused(
+                f"the sliders inside {', '.join(map(repr, rigid))} are held still, for it is rigid",
+                self.label,
+                "Set its property Rigid to false.",
+            )
+        if not sliders:
+            raise Refused(
+                "no slider joint connects the parts",
+                self.label,
+                "Add slider joints, or pick the axes: Machine from Selection proposes them from the geometry.",
+            )
+        if len(sliders) != 3:
+            names = ", ".join(repr(s[0].object.Label) for s in sliders)
+            more = len(sliders) > 3
+            do = "Switch off those that are no machine axis." if more else "Add the missing ones."
+            raise Refused(f"{len(sliders)} slider joints where three are needed: {names}", self.label, do)
+        waiting, reached, tree = list(sliders), {bed}, []
+        while waiting:
+            step = next((s for s in waiting if (s[1] in reached) != (s[2] in reached)), None)
+            if step is None:
+                closed = [s for s in waiting if s[1] in reached]
+                joint = (closed or waiting)[0][0].object
+                what = "closes a loop" if closed else "is not connected to the grounded part"
+                raise Refused(
+                    f"slider {joint.Label!r} {what}",
+                    self.label,
+                    "A serial machine: each carriage slides on the one before it, the first ones on the bed.",
+                )
+            waiting.remove(step)
+            joint, one, other = step
+            outer_side = 2 if one in reached else 1
+            inner, outer = (one, other) if outer_side == 2 else (other, one)
+            reached.add(outer)
+            tree.append(Slider(joint, inner, outer, outer_side))
+        return _chains(tree, groups, bed, self.label)
+
+    def _riders(self, result: Reading, edges) -> None:
+        """What is held on a body by a joint that only lets it turn rides on it; the rest is left out, by name."""
+        moving = {result.bed, *(s.outer for s in result.sliders)}
+        carrier = {g: g for g in moving}
+        grown = True
+        while grown:
+            grown = False
+            for joint, one, other in edges:
+                if joint.object.JointType in RIDING and (one in carrier) != (other in carrier):
+                    inner, outer = (one, other) if one in carrier else (other, one)
+                    carrier[outer] = carrier[inner]
+                    result.groups[carrier[inner]].parts += result.groups[outer].parts
+                    grown = True
+        for number, group in enumerate(result.groups):
+            if number not in carrier:
+                result.left_out += group.parts
+        if result.left_out:
+            names = ", ".join(repr(p.object.Label) for p in result.left_out)
+            result.notes.append(f"No joint holds {names}: left out of the machine.")
+
+
+def _chains(tree: list[Slider], groups, bed: int, label: str) -> list[list[Slider]]:
+    """Branches from the bed; refuses more than two, and a fork."""
+    branches = [[s] for s in tree if s.inner == bed]
+    if len(branches) > 2:
+        names = ", ".join(repr(b[0].joint.object.Label) for b in branches)
+        raise Refused(
+            f"three carriages slide on the bed: {names}", label, "At most two do: the tool's and the workpiece's."
+        )
+    for branch in branches:
+        while True:
+            following = [s for s in tree if s.inner == branch[-1].outer]
+            if len(following) > 1:
+                names = ", ".join(repr(s.joint.object.Label) for s in following)
+                raise Refused(
+                    f"{groups[branch[-1].outer].label!r} carries two carriages: {names}",
+                    label,
+                    "Each carriage carries at most one other.",
+                )
+            if not following:
+                break
+            branch.append(following[0])
+    return branches

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Joints of FreeCAD's Assembly workbench as geometry: which parts they connect, their frames, how far a slider stands.
+
+Everything is read from the joints' properties along paths, so it needs no Assembly module and holds for links to
+assemblies in other documents.  1.0 writes references from the assembly, 1.1 from the component; both are understood.
+"""
+
+from __future__ import annotations
+
+import FreeCAD as App
+
+from ..core.errors import AXES
+from ..core.refusal import Refused
+from .base import members
+from .paths import Place, _is_folder, place
+
+SLIDER = "Slider"
+Z = App.Vector(0, 0, 1)
+
+
+def is_joint(obj) -> bool:
+    return hasattr(obj, "JointType") and hasattr(obj, "Reference1") and hasattr(obj, "Placement1")
+
+
+def is_ground(obj) -> bool:
+    return hasattr(obj, "ObjectToGround")
+
+
+def is_active(obj) -> bool:
+    """Neither suppressed (1.1) nor deactivated (1.0)."""
+    return not getattr(obj, "Suppressed", False) and getattr(obj, "Activated", True)
+
+
+def is_assembly(obj) -> bool:
+    return obj is not None and obj.TypeId in ("Assembly::AssemblyObject", "Assembly::AssemblyLink")
+
+
+def linked(obj):
+    """What a link leads to in the end, else the object itself."""
+    return (obj.getLinkedObject(True) if hasattr(obj, "getLinkedObject") else obj) or obj
+
+
+def home_of(joint):
+    """The assembly that holds a joint; refuses a joint that is nowhere."""
+    outer = joint.getParentGeoFeatureGroup() if hasattr(joint, "getParentGeoFeatureGroup") else None
+    if outer is None:
+        outer = next((o for o in joint.InListRecursive if is_assembly(o)), None)
+    if outer is None:
+        raise Refused(f"joint {joint.Label!r} belongs to no assembly", joint.Label, "Delete it, or make it again.")
+    return outer
+
+
+def reference(joint, side: int) -> Place:
+    """The geometry that side 1 or 2 of a joint refers to, as a place in the assembly's own document."""
+    value = getattr(joint, f"Reference{side}")
+    if not value or value[0] is None or not value[1]:
+        raise Refused(f"joint {joint.Label!r} has lost its part {side}", joint.Label, "Choose its parts again.")
+    found = place((value[0], value[1][0] if not isinstance(value[1], str) else value[1]))
+    names = [n for n in found.path.split(".") if n]
+    for i, obj in enumerate(found.chain):
+        if obj.isDerivedFrom("PartDesign::Body"):  # a feature of a body counts as the body
+            return Place(found.root, ".".join(names[:i]) + "." if i else "")
+    return found
+
+
+def below(where: Place, assembly) -> str:
+    """The part of a place's path below `assembly`."""
+    names = [n for n in where.path.split(".") if n]
+    for i, obj in enumerate(where.chain):
+        if obj == assembly or linked(obj) == assembly:
+            return "".join(f"{n}." for n in names[i:])
+    raise Refused(
+        f"{where.label!r} is not in the assembly {assembly.Label!r}", assembly.Label, "Choose the joint's parts again."
+    )
+
+
+def assembly_place(where: Place) -> Place:
+    """The assembly occurrence that the joint at `where` stands in."""
+    names = [n for n in where.path.split(".") if n][:-1]
+    chain = where.chain[:-1]
+    while chain and _is_folder(chain[-1]):
+        chain.pop()
+        names.pop()
+    return Place(where.root, "".join(f"{n}." for n in names))
+
+
+def frame(where: Place, side: int) -> App.Placement:
+    """Frame of side 1 or 2 of the joint at `where`, document coordinates.  Its z is the axis of a slider."""
+    joint = where.object
+    at = reference(joint, side)
+    assembly = home_of(joint)
+    outer = place((assembly, "")).placement
+    inner = outer.inverse() * Place(at.root, at.path).placement * getattr(joint, f"Placement{side}")
+    return assembly_place(where).placement * inner
+
+
+def distance(where: Place) -> float:
+    """How far side 2 of the slider at `where` stands from side 1 along the slider's axis, mm, with sign."""
+    return (frame(where, 1).inverse() * frame(where, 2)).Base.z
+
+
+def direction(where: Place) -> App.Vector:
+    """Unit vector of the slider at `where`, document coordinates; refuses a joint that is no slider."""
+    joint = where.object
+    if joint.JointType != SLIDER:
+        raise Refused(
+            f"joint {joint.Label!r} is no slider but {joint.JointType}", joint.Label, "Choose a slider joint."
+        )
+    if not is_active(joint):
+        raise Refused(f"joint {joint.Label!r} is switched off", joint.Label, "Switch it on, or choose another.")
+    return frame(where, 1).Rotation.multVec(Z)
+
+
+def carried_side(where: Place, parts: list[Place]) -> int:
+    """Which side of the joint at `where` moves with `parts` (a carriage): 1 or 2."""
+    joint, outer = where.object, assembly_place(where)
+    keys = [p.key for p in parts]
+    for side in (2, 1):
+        path = outer.path + below(reference(joint, side), home_of(joint))
+        key = Place(outer.root, path).key
+        if any(key[: len(k)] == k for k in keys):
+            return side
+    raise Refused(
+        f"joint {joint.Label!r} holds none of the carriage's parts", joint.Label, "Choose the joint of this carriage."
+    )
+
+
+def joint_place(source) -> Place | None:
+    """The place of the joint that a DirectionSource or ReferenceSource names, or None where it names something else."""
+    found = place(source) if source else None
+    return found if found is not None and not found.element and is_joint(found.object) else None
+
+
+def position(machine, axis, parts: list[Place]) -> float | None:
+    """Where the slider that gives an axis its direction stands, in the axis's own sense, mm; None without a slider."""
+    where = joint_place(axis.DirectionSource)
+    if where is None:
+        return None
+    sense = 1.0 if carried_side(where, parts) == 2 else -1.0
+    if axis.Reverse:
+        sense = -sense
+    if axis.Axis in list(machine.WorkpieceChain):
+        sense = -sense
+    return sense * distance(where) + 0.0
+
+
+def follow(machine) -> None:
+    """Take over where the solver or a drag has put the carriages that sliders hold."""
+    from .extract import parts_of
+
+    for axis in members(machine, "Axis"):
+        if axis.Axis not in AXES:
+            continue
+        stands = position(machine, axis, parts_of(machine, axis.Axis))
+        if stands is None:
+            continue
+        if abs(stands - axis.StandsAt) > 1e-9 or axis.Position.Value != axis.StandsAt:
+            axis.StandsAt = stands
+            axis.Position = stands
+            axis.purgeTouched()
