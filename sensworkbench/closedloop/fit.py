@@ -40,25 +40,31 @@ class Basis:
         return self.q.shape[1]
 
 
-def basis(matrix, weight) -> Basis:
-    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows."""
+def _scaled(matrix, weight) -> tuple[np.ndarray, np.ndarray]:
+    """Weighted columns of unit length, and their lengths (infinite for a column that shows nowhere)."""
     x = matrix * weight[:, None]
     scale = np.linalg.norm(x, axis=0)
-    scale[scale <= 1e-12 * max(scale.max(initial=0.0), 1e-300)] = np.inf  # a column that shows nowhere
-    x = x / scale
-    gram_r = np.linalg.qr(x, mode="r") if len(x) > 4 * x.shape[1] else None
-    if gram_r is None:
-        u, s, vt = np.linalg.svd(x, full_matrices=False)
-    else:  # tall: SVD of R, then recover U once
-        _, s, vt = np.linalg.svd(gram_r)
-        u = None
+    scale[scale <= 1e-12 * max(scale.max(initial=0.0), 1e-300)] = np.inf
+    return x / scale, scale
+
+
+def basis(matrix, weight) -> Basis:
+    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows."""
+    x, scale = _scaled(matrix, weight)
+    q, r = np.linalg.qr(x)
+    u, s, vt = np.linalg.svd(r)
     keep = s > RANK_TOLERANCE * s[0]
-    s, v = s[keep], vt[keep].T
-    u = x @ (v / s) if u is None else u[:, keep]
-    if gram_r is not None:  # one re-orthogonalisation makes it good to rounding
-        u, r = np.linalg.qr(u)
-        u = u * np.sign(np.diag(r))
-    return Basis(u, s, v, scale, float(s[0] / s[-1]))
+    return Basis(q @ u[:, keep], s[keep], vt[keep].T, scale, float(s[0] / s[keep][-1]))
+
+
+def _quick(matrix, weight, y) -> tuple[np.ndarray, np.ndarray, int]:
+    """(residual, leverage, rank) by the normal equations: enough to weigh readings, ten times faster than the SVD."""
+    x, scale = _scaled(matrix, weight)
+    values, vectors = np.linalg.eigh(x.T @ x)
+    keep = values > 1e-12 * values[-1]
+    q = x @ (vectors[:, keep] / np.sqrt(values[keep]))
+    theta = (vectors[:, keep] / np.sqrt(values[keep])) @ (q.T @ (y * weight)) / scale
+    return y - matrix @ theta, (q**2).sum(axis=1), int(keep.sum())
 
 
 @dataclass
@@ -125,13 +131,9 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
     good = np.ones(count, dtype=bool)
     noise: dict = {}
     for step in range(12):
-        b = basis(matrix, weight * np.sqrt(robust))
-        w = weight * np.sqrt(robust)
-        theta = (b.v / b.s) @ (b.q.T @ (y * w)) / b.scale
-        residual = y - matrix @ theta
+        residual, leverage, rank = _quick(matrix, weight * np.sqrt(robust), y)
         # noise from the bulk; the median guards the first steps, the mean square of the kept rows the last
         previous = good
-        leverage = (b.q**2).sum(axis=1)
         if step < 3:
             spread = np.empty(count)
             for kind in np.unique(readings.kind):
@@ -141,7 +143,7 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
                     if stated is None
                     else residual[rows] / np.where(np.isfinite(stated[rows]), stated[rows], 1)
                 )
-                loss = np.sqrt(count / max(count - b.rank, 1))
+                loss = np.sqrt(count / max(count - rank, 1))
                 scale = max(robust_scale(ratio) * loss, 1e-9)
                 spread[rows] = scale if stated is None else scale * np.where(np.isfinite(stated[rows]), stated[rows], 1)
             sigma = spread
@@ -151,7 +153,7 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
             weight = 1 / sigma
             continue
         kept = good.sum()
-        sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - b.rank, 1)), stated)
+        sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - rank, 1)), stated)
         z = residual / (sigma * np.sqrt(np.clip(1 - leverage * good, 0.05, 1)))
         good = np.abs(z) < OUTLIER_LIMIT
         robust = good.astype(float)
