@@ -37,6 +37,7 @@ ALPHA, POWER = 0.01, 0.9  # family-wise error over all candidates, and the chanc
 FLOOR = 0.2  # of one reading's noise, rms over the readings: a trace names nothing smaller
 LEADS = (4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0)  # mm, of the usual ball screws
 LONGER_MM = 100.0
+PLAIN = 1.0  # of handicap: the candidates that an effect's name means, before all others that match it
 
 
 @dataclass(frozen=True)
@@ -208,8 +209,6 @@ class Plan:
                 if _declared(driver, kind, group):
                     continue
                 share = np.sort(scanner.visible[members, place])
-                if scanner.shown[scanner.first[members], place].max() <= 0 and share.max() <= 0:
-                    continue
                 middle = members[int(np.argsort(scanner.visible[members, place], kind="stable")[len(members) // 2])]
                 out.append(self._candidate(shapes[middle], place, group, scanner, middle, share))
         return sorted(out, key=lambda c: (c.handicap, c.symbol, c.driver, c.shape))
@@ -226,6 +225,9 @@ class Plan:
             size = float(np.sqrt((shape.vectors(self.readings.columns)[:, 0] ** 2).mean()))
             coefficient = motion / size * (1e6 if COMPONENTS[symbol].angular else 1e3)
         unit = coefficient_unit(symbol, shape.shape, shape.driver, shape.parameters, self.readings.units)
+        if shape.shape == "hysteresis":  # its size is what it saturates at
+            unit = COMPONENTS[symbol].unit
+            coefficient = None if coefficient is None else coefficient * shape.parameters["width"]
         return Candidate(
             symbol=symbol,
             alike=tuple(symbols[1:]),
@@ -251,11 +253,10 @@ class Plan:
             yield entry, by_name.get(entry.name, [])
 
     def smallest_um(self, *keys: str) -> float | None:
-        """The smallest detectable rms (um) of the plainest visible candidate of these catalogue entries, or None."""
+        """The smallest detectable rms (um) of the plain, visible candidates of these catalogue entries, or None."""
         names = {catalogue.CATALOGUE[k].name for k in keys}
-        plain = [c for c in self.named if c.entry.name in names]
-        best = [c for c in plain if c.handicap <= plain[0].handicap + 1.0 and not c.hidden] if plain else []
-        return min((c.amplitude_um for c in best), default=None)
+        best = plain([c for c in self.named if c.entry.name in names])
+        return min((c.amplitude_um for c in best if not c.hidden), default=None)
 
     # -- what looks alike ----------------------------------------------------------------------------------------
     def confused(self, limit: int = 900) -> list[tuple[Candidate, Candidate, float]]:
@@ -263,24 +264,24 @@ class Plan:
 
         Different shapes of the same motion and columns are no pair.  The plainest `limit` candidates are compared.
         """
-        plain = [
+        shown = [
             c
             for c in self.named
             if not c.hidden and len(driver_columns(c.driver)) <= 2 and c.shape not in ("power", "periodic", "step")
         ][:limit]
-        if not plain:
+        if not shown:
             return []
         columns = self.readings.columns
         point = self.readings.point
-        levers = self.rows.lever[:, [self.groups[c.place][0] for c in plain]]
-        x = levers * np.stack([c.example.vectors(columns)[:, 0] for c in plain], axis=1)[point]
+        levers = self.rows.lever[:, [self.groups[c.place][0] for c in shown]]
+        x = levers * np.stack([c.example.vectors(columns)[:, 0] for c in shown], axis=1)[point]
         x -= self.rows.q @ (self.rows.q.T @ x)
         size = np.linalg.norm(x, axis=0)
         x /= np.where(size > 0, size, 1.0)
         cosine = x.T @ x
         out = []
         for i, j in zip(*np.nonzero(np.triu(np.abs(cosine) > SAME, 1))):
-            a, b = plain[i], plain[j]
+            a, b = shown[i], shown[j]
             if not (a.place == b.place and a.columns == b.columns):
                 out.append((a, b, float(cosine[i, j])))
         return sorted(out, key=lambda p: p[0].handicap + p[1].handicap)
@@ -327,7 +328,7 @@ class Plan:
             "places": self.readings.points,
             "parameters": self.parameters,
             "rank": self.rank,
-            "physical_effects_testable": sum(any(not c.hidden for c in cs) for _, cs in self.physical()),
+            "physical_effects_testable": sum(any(not c.hidden for c in plain(cs)) for _, cs in self.physical()),
             "candidates_named": len(self.named),
             "candidates_named_visible": len(visible),
             "median_detectable_um": sizes[len(sizes) // 2] if sizes else None,
@@ -336,6 +337,11 @@ class Plan:
             "aliased_leads": len(self.aliased),
             "pure_error_dof": self.repeats[1],
         }
+
+
+def plain(found: list[Candidate]) -> list[Candidate]:
+    """Of an effect's candidates, the plainest first, those that are meant by its name: about as plain as the first."""
+    return [c for c in found if c.handicap <= found[0].handicap + PLAIN]
 
 
 def alias_frequencies(v) -> np.ndarray:

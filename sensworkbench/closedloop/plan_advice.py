@@ -266,10 +266,10 @@ def suggest(machine: Machine, count: int, noise_mm: float, given: Readings | Non
 
 def _drawn(machine: Machine, count: int, noise_mm: float, given: Readings | None, rng) -> Readings:
     low, high = machine.travel.T
-    # each axis in as many strata as there are readings, so that no part of the travel is left out; somewhat denser
-    # towards the ends, where polynomials are least certain
+    # each axis in as many strata as there are readings, so that no part of the travel is left out; denser towards the
+    # ends, as the zeros of high polynomials are: that is where a fitted polynomial is least certain
     q = np.stack([(rng.permutation(count) + rng.random(count)) / count for _ in range(3)], axis=1)
-    q = (q + (1 - np.cos(np.pi * q)) / 2) / 2
+    q = (1 - np.cos(np.pi * q)) / 2
     q = np.round((low + (high - low) * q) / CLEAR_MM) * CLEAR_MM
     q = np.clip(q, low, high)
     columns = {n: q[:, i] for i, n in enumerate(POSITIONS)}

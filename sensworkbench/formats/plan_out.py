@@ -185,7 +185,8 @@ def to_dict(checked: Checked) -> dict:
 
 
 def _entry(entry, found: list[Candidate]) -> dict:
-    plain = next((c for c in found if not c.hidden), found[0] if found else None)
+    best = planning.plain(found)
+    plain = next((c for c in best if not c.hidden), best[0] if best else None)
     out = {
         "name": entry.name,
         "usual_size": entry.size,

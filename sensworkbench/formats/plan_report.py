@@ -151,8 +151,11 @@ def _effects(data) -> Html:
 
 def _size_words(entry) -> str:
     value, unit = entry["value"], entry["unit"]
-    if unit.endswith(("/mm", "*mm)", "(mm)")):
-        value, unit = value * 1e3, unit.replace("mm", "m")
+    for power in (3, 2, 1):  # per metre reads better than per millimetre
+        for tail in (f"mm^{power}", f"mm^{power})") if power > 1 else ("mm", "mm)"):
+            if unit.endswith(tail):
+                value, unit = value * 1e3**power, unit.removesuffix(tail) + tail.replace("mm", "m")
+                return f"{value:.3g} {unit_words(unit)}"
     return f"{value:.3g} {unit_words(unit)}"
 
 
