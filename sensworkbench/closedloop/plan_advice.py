@@ -100,7 +100,7 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
         )
     shuffled = again(in_random_order(base.readings, rng))
     yield Advice(
-        "visit the places in random order",
+        "visit the places in random order" + ("" if timed else ", and write down the time of every reading (t_s)"),
         "smallest drift that is found",
         base.smallest_um("drift", "spindle_growth"),
         shuffled.smallest_um("drift", "spindle_growth"),

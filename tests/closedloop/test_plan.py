@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A measuring plan says beforehand what its readings will show: shares, sizes, pairs and periods hold when it is run."""
+"""A measuring plan says beforehand what readings will show: shares, sizes, pairs and periods hold once it is run."""
 
 from __future__ import annotations
 
@@ -22,7 +22,6 @@ from sensworkbench.closedloop.plan import (
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import omega
-
 from tests.simulator import kinematics
 
 from .support import APART, both, grid, least_squares, measured, scattered, session
