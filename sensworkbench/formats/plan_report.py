@@ -108,8 +108,8 @@ def _comparison(data) -> Html:
     rows = [(w, cell(data["numbers"][k], u), cell(data["suggested"]["numbers"][k], u)) for k, w, u in _COMPARED]
     words = (
         f"{SUGGESTED}: places at random over the travel, approached from both sides, in random order, with a second "
-        "tool length and a probe to the side, some of them visited again. Each further tool has an offset of its own in "
-        "the model, so there are more parameters to determine with the same number of readings. Temperatures and other conditions are those "
+        "tool length and a probe to the side, some of them visited again. Each further tool has an offset of its own "
+        "in the model: more parameters from as many readings. Temperatures and other conditions are those "
         "of the given plan; log the real ones."
     )
     parts = [html.paragraph(words, soft=True), html.table(["", "#Given plan", "#Suggested plan"], rows)]
