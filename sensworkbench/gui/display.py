@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+from pivy import coin
+
 from ..core.refusal import Refused
 from ..document import factory
 from ..document.base import alive, kind_of
@@ -71,13 +73,17 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
     )
 
 
-def update(result) -> None:
-    """Bring colours, legend and error map of a result up to date."""
+def update(result, *, fresh: bool = False) -> None:
+    """Bring colours, legend and error map of a result up to date; `fresh`: compute it again first if stale."""
     machine = factory.owner_machine(result)
     if machine is None or not ready(result) or not isinstance(result.ViewObject.Proxy, ViewProviderSensitivity):
         return
     view = result.ViewObject
     proxy = view.Proxy
+    if fresh and result.Coloured and result.Stale:
+        from .live import answer
+
+        answer(machine, result)  # before anything is drawn: one frame shows the moved part and its new colour
     if result.Coloured:
         try:
             colours.apply(machine, result, values(result), scale(result))
@@ -94,10 +100,16 @@ def update(result) -> None:
             proxy.map.hide()
     else:
         proxy.map.hide()
+    ask_for_frame()
     if result.Coloured and result.Stale:
         from .live import wake
 
         wake(machine)
+
+
+def ask_for_frame() -> None:
+    """Let the changed scene ask for its frame now: Qt then paints the model with the panels, not after them."""
+    coin.SoDB.getSensorManager().processDelayQueue(False)
 
 
 def results(doc) -> list:

@@ -34,17 +34,24 @@ def _answer(key) -> None:
     document, name = key
     machine = App.getDocument(document).getObject(name) if document in App.listDocuments() else None
     result = factory.sensitivity_of(machine) if machine is not None else None
-    if result is None or not result.Stale or not result.Coloured:
-        return
+    if result is not None:
+        answer(machine, result)
+
+
+def answer(machine, result) -> bool:
+    """Compute a stale coloured result again at once; False where that is not wanted, takes long or is refused."""
+    if not (settings.get("Live") and result.Stale and result.Coloured) or machine.Problem:
+        return False
     try:
         core = extract.core_machine(machine)
         positions = extract.positions(machine, core)
         if len(positions.q) > LIVE_POINTS:
-            return
+            return False
         found = workspace.sensitivity(core, positions, extract.objective(machine), estimate=False)
         results.store(machine, found, core)
     except Refused:
-        return  # the machine's Problem and the legend say that the result is out of date
+        return False  # the machine's Problem and the legend say that the result is out of date
+    return not result.Stale
 
 
 class Task:

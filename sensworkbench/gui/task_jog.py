@@ -29,6 +29,7 @@ class TaskJog:
         self.position = dict(zip(AXES, extract.current_position(machine).tolist()))
         extract.survey(machine)  # refuses before anything is opened
         self.core = None
+        self._sized = False
         self.document.openTransaction(translate("Sens", "Jog"))
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
@@ -103,14 +104,12 @@ class TaskJog:
 
     # -- moving ------------------------------------------------------------------------------------------------------
     def go(self, name: str, value: float) -> None:
-        """Drive one axis; the parts follow when the event loop is idle."""
+        """Drive one axis; the parts follow before Qt paints the slider, so that both are seen in one frame."""
         if self._quiet:
             return
         self.position[name] = value
-        self._quiet = True
-        self._put(name)
-        self._quiet = False
-        self._timer.start(0)
+        self._timer.stop()
+        self._move()
 
     def _put(self, name):
         axis = factory.axis_of(self.machine, name)
@@ -121,7 +120,8 @@ class TaskJog:
     def go_home(self) -> None:
         for name in AXES:
             box = self.numbers[name]
-            self.go(name, min(max(0.0, box.minimum()), box.maximum()))
+            self.position[name] = min(max(0.0, box.minimum()), box.maximum())
+        self._move()
 
     def _move(self) -> None:
         try:
@@ -152,9 +152,15 @@ class TaskJog:
                     if column:
                         item.setTextAlignment(Qt.AlignRight | Qt.AlignVCenter)
                     self.table.setItem(i, column, item)
-                item.setText(text)
-        self.table.resizeColumnsToContents()
+                if item.text() != text:
+                    item.setText(text)
+        if not self._sized:  # measuring every cell takes longer than moving the machine
+            self._sized = True
+            self.table.resizeColumnsToContents()
+            for column in range(1, 5):
+                self.table.setColumnWidth(column, max(60, self.table.columnWidth(column)))
         self._point()
+        display.ask_for_frame()
 
     def _indices(self) -> dict[str, float]:
         """Total index of each component at the position; the parts take it as colour where that is asked for."""

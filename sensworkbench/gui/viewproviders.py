@@ -141,6 +141,9 @@ class ViewProviderTolerances(ViewProviderSens):
 class ViewProviderEffect(ViewProviderSens):
     icon = "Sens_Effect"
 
+    def menu(self):
+        return [(translate("Sens", "On or off"), "Sens_SwitchEffect")]
+
 
 class ViewProviderSensitivity(ViewProviderSens):
     """The result: colours of the parts, the legend, the error map.  Its view properties say how."""
@@ -215,12 +218,14 @@ class ViewProviderSensitivity(ViewProviderSens):
             later(self._update)
 
     def _update(self):
-        self._waiting = False
-        obj = self.object
-        if obj is not None and obj.ViewObject is not None:
-            from .display import update
+        try:
+            obj = self.object
+            if obj is not None and obj.ViewObject is not None:
+                from .display import update
 
-            update(obj)
+                update(obj, fresh=True)
+        finally:
+            self._waiting = False  # what the update itself has stored asks for no second one
 
     def menu(self):
         return [
@@ -249,6 +254,11 @@ PROVIDERS = {
 
 def dress(obj) -> None:
     """Give an object its view provider where it has none, or a property that an older file lacks."""
+    if kind_of(obj) in ("Readings", "Trace") and getattr(obj, "ViewObject", None) is not None:
+        from .residuals import dress as dress_readings
+
+        dress_readings(obj, kind_of(obj))
+        return
     kind, view = PROVIDERS.get(kind_of(obj)), getattr(obj, "ViewObject", None)
     if kind is None or view is None:
         return
