@@ -15,7 +15,7 @@ import numpy as np
 from .design import Design
 from .readings import Readings
 
-RANK_TOLERANCE = 1e-8
+RANK_TOLERANCE = 1e-6
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
 MAD = 1.482602218505602
 
@@ -49,12 +49,20 @@ def _scaled(matrix, weight) -> tuple[np.ndarray, np.ndarray]:
 
 
 def basis(matrix, weight) -> Basis:
-    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows."""
+    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows.
+
+    Twice through the Gram matrix (the second pass restores orthogonality to rounding): for tall designs many times
+    faster than Householder, and exact enough where singular values span less than 1/RANK_TOLERANCE.
+    """
     x, scale = _scaled(matrix, weight)
-    q, r = np.linalg.qr(x)
-    u, s, vt = np.linalg.svd(r)
-    keep = s > RANK_TOLERANCE * s[0]
-    return Basis(q @ u[:, keep], s[keep], vt[keep].T, scale, float(s[0] / s[keep][-1]))
+    values, vectors = np.linalg.eigh(x.T @ x)
+    keep = values > RANK_TOLERANCE**2 * values[-1]
+    root = np.sqrt(values[keep])
+    q = x @ (vectors[:, keep] / root)
+    lower = np.linalg.cholesky(q.T @ q)
+    q = np.linalg.solve(lower, q.T).T
+    u, s, vt = np.linalg.svd(lower.T @ (root[:, None] * vectors[:, keep].T), full_matrices=False)
+    return Basis(np.ascontiguousarray(q @ u), s, vt.T, scale, float(s[0] / s[-1]))
 
 
 def _quick(matrix, weight, y) -> tuple[np.ndarray, np.ndarray, int]:

@@ -16,6 +16,9 @@ import numpy as np
 from .design import ALL_SYMBOLS
 from .scan import Rows
 
+CLIP = 3.0
+MARGIN = 1.25
+
 
 @dataclass(frozen=True)
 class Unlogged:
@@ -29,6 +32,13 @@ class Unlogged:
     place: str = ""
 
 
+def _p_value(observed: float, null: np.ndarray) -> float:
+    """Share of null maxima at least as large; 1 where the largest of them comes within a quarter: a name that nobody
+    can check against a column needs more than the one in a hundred that chance allows."""
+    share = float((1 + np.count_nonzero(null >= observed)) / (len(null) + 1))
+    return share if observed > MARGIN * float(null.max()) else max(share, 0.05)
+
+
 def _cross(rows: Rows, residual) -> np.ndarray:
     """(C,) sum over points of the cross products of lever x residual."""
     x = rows.lever * residual[:, None]
@@ -36,24 +46,28 @@ def _cross(rows: Rows, residual) -> np.ndarray:
 
 
 def unlogged_driver(rows: Rows, count: int = 199, seed: int = 0) -> Unlogged | None:
-    """The component whose random motion the residual shows most, or None where points hold one reading each."""
+    """The component whose random motion the residual shows most, or None where points hold one reading each.
+
+    Residuals beyond three times their noise are drawn in, so that a few points do not make a motion.
+    """
+    residual = np.clip(rows.residual, -CLIP, CLIP)
     g2 = rows.lever**2
     weight = (rows.gather(g2) ** 2 - rows.gather(g2**2)).sum(axis=0)
     usable = weight > 1e-6 * max(float(weight.max(initial=0.0)), 1e-300)
     if not usable.any():
         return None
     scale = np.where(usable, np.sqrt(np.where(usable, weight, 1.0)), np.inf)
-    observed = _cross(rows, rows.residual) / scale
+    observed = _cross(rows, residual) / scale
     rng = np.random.default_rng(seed)
     null = np.empty(count)
     for i in range(count):
-        null[i] = (_cross(rows, rows.residual * rng.choice((-1.0, 1.0), len(rows.residual))) / scale).max()
+        null[i] = (_cross(rows, residual * rng.choice((-1.0, 1.0), len(rows.residual))) / scale).max()
     best = int(np.argmax(observed))
     if observed[best] <= 0:
         return None
     variance = observed[best] / scale[best]
     power = float((g2[:, best]).sum() / max(np.count_nonzero(rows.lever.any(axis=1)), 1))
-    p = float((1 + np.count_nonzero(null >= observed[best])) / (count + 1))
+    p = _p_value(observed[best], null)
     return Unlogged(ALL_SYMBOLS[best], float(np.sqrt(max(variance, 0.0))), p, float(np.sqrt(max(variance, 0) * power)))
 
 
@@ -83,13 +97,13 @@ def uneven_noise(rows: Rows, q, kind, count: int = 199, seed: int = 0) -> Unlogg
     if not good.any() or float(norm.max()) < 1e-9:
         return None
     x = np.where(good, x / np.where(good, norm, 1.0), 0.0)
-    square = rows.residual**2
+    square = np.clip(rows.residual, -CLIP, CLIP) ** 2
     centred = [square[part] - square[part].mean() for part in kinds]
     observed = x.T @ np.concatenate(centred)
     rng = np.random.default_rng(seed)
     null = np.array([(x.T @ np.concatenate([rng.permutation(c) for c in centred])).max() for _ in range(count)])
     best = int(np.argmax(observed))
-    p = float((1 + np.count_nonzero(null >= observed[best])) / (count + 1))
+    p = _p_value(observed[best], null)
     if not good[best]:
         return None
     variance = max(float(observed[best] / norm[best]), 0.0)
