@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from ..core.refusal import Refused
 from ..document import factory
 from ..document.base import kind_of
-from . import display, live, messages
+from . import display, live, loop_commands, messages
 from .command import QT_TRANSLATE_NOOP, Command, busy, current_machine, machines
 from .files import icon_path
 from .qt import translate
@@ -234,7 +234,7 @@ class ErrorMap(Command):
 
 COMMANDS = (
     NewMachine, EditMachine, ExampleXYFZ, ExampleFXYZ, ExampleYFXZ, Examples, Tolerances, Sensitivity, Review,
-    OriginalColours, ErrorMap, Jog, Report,
+    OriginalColours, ErrorMap, Jog, Report, *loop_commands.COMMANDS,
 )  # fmt: skip
 
 for _kind in COMMANDS:
@@ -251,6 +251,10 @@ def toolbars() -> list[tuple[str, list[str]]]:
             translate("Workbench", "Sens Analysis"),
             ["Sens_Sensitivity", "Sens_Review", "Sens_Jog", "Sens_ErrorMap", "Sens_OriginalColours", "Sens_Report"],
         ),
+        (
+            translate("Workbench", "Sens Closed Loop"),
+            ["Sens_ImportReadings", "Sens_Trace", "Sens_AddEffect", "Sens_Residuals", "Sens_TraceReport"],
+        ),
     ]
 
 
@@ -258,7 +262,8 @@ def menu() -> list[str]:
     return [
         "Sens_Machine", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances", "Separator",
         "Sens_Sensitivity", "Sens_Review", "Sens_Jog", "Sens_ErrorMap", "Sens_OriginalColours", "Separator",
-        "Sens_Report",
+        "Sens_Report", "Separator",
+        *loop_commands.names(),
     ]  # fmt: skip
 
 

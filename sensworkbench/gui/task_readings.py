@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The import panel: what each column of a table is, what the table does not say of its signs, and what was noticed.
+
+Columns of our own grammar are recognised, foreign ones are guessed and can be corrected.  The table is read again at
+every change, so that findings and refusals with their lines are seen before anything is imported.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..core.refusal import Refused
+from ..document import closed_loop
+from ..formats import column_guess, csv_table, readings_csv
+from ..formats.column_guess import DRIVER, IGNORE, Guess
+from ..formats.readings_conventions import ANSWERS, question
+from . import messages
+from .preferences import combo, number_box
+from .qt import QtCore, QtGui, buttons, translate
+
+COLUMN, USE, UNIT, VALUE = range(4)
+ASKED = ("sign", "frame", "positions")
+
+
+class TaskReadings:
+    """The panel for one file.  `mapping()` is what it says now; `readings` what that gives, None where refused."""
+
+    def __init__(self, machine, path):
+        self.machine, self.path = machine, Path(path)
+        self.table = csv_table.read(self.path)  # refuses before anything is opened
+        self.guesses = column_guess.guesses(self.table.names)
+        self.stated = {question(text): line for line, text in self.table.comments if question(text)}
+        self.readings = None
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self.check)
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("SensReadings")
+        self.form.setWindowTitle(translate("Sens", "Import {name}").format(name=self.path.name))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_ImportReadings")))
+        layout = QtGui.QVBoxLayout(self.form)
+        layout.addWidget(QtGui.QLabel(translate("Sens", "What each column of the table is:")))
+        self.columns = self._columns()
+        layout.addWidget(self.columns, 2)
+        layout.addWidget(self._constants())
+        layout.addWidget(self._questions())
+        self.note = QtGui.QLabel()
+        self.note.setObjectName("SensReadingsNote")
+        self.note.setWordWrap(True)
+        layout.addWidget(self.note)
+        layout.addWidget(QtGui.QLabel(translate("Sens", "Noticed while reading:")))
+        self.findings = QtGui.QListWidget()
+        self.findings.setObjectName("SensFindings")
+        self.findings.setWordWrap(True)
+        self.findings.setMinimumHeight(90)
+        layout.addWidget(self.findings, 1)
+        self.save = QtGui.QPushButton(translate("Sens", "Save mapping…"))
+        self.save.setToolTip(translate("Sens", "Writes these choices to a file for the command line's --mapping"))
+        self.save.clicked.connect(self.save_mapping)
+        row = QtGui.QHBoxLayout()
+        row.addStretch(1)
+        row.addWidget(self.save)
+        layout.addLayout(row)
+        self.check()
+
+    # -- the form ----------------------------------------------------------------------------------------------------
+    def _columns(self):
+        table = QtGui.QTableWidget(len(self.table.names), 4)
+        table.setObjectName("SensColumns")
+        table.setHorizontalHeaderLabels([
+            translate("Sens", "Column"), translate("Sens", "Taken as"), translate("Sens", "Unit"),
+            translate("Sens", "First"),
+        ])  # fmt: skip
+        table.verticalHeader().hide()
+        table.verticalHeader().setDefaultSectionSize(26)
+        table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
+        table.setSelectionMode(QtGui.QAbstractItemView.NoSelection)
+        table.setMinimumHeight(160)
+        self.uses, self.units = [], []
+        for row, (written, found) in enumerate(zip(self.table.names, self.guesses)):
+            cells = self.table.cells[row][:5]
+            for column, text in ((COLUMN, written), (VALUE, cells[0] if cells else "")):
+                item = QtGui.QTableWidgetItem(text)
+                item.setToolTip(", ".join([written, *cells]) if column == COLUMN else ", ".join(cells))
+                table.setItem(row, column, item)
+            use = combo([(kind, use_name(kind)) for kind in column_guess.CHOICES])
+            use.setCurrentIndex(use.findData(found.kind))
+            unit = combo([("", "–")])
+            self.uses.append(use)
+            self.units.append(unit)
+            self._offer_units(row, found.unit)
+            use.currentIndexChanged.connect(lambda _i, r=row: self._used(r))
+            unit.currentIndexChanged.connect(self._later)
+            table.setCellWidget(row, USE, use)
+            table.setCellWidget(row, UNIT, unit)
+        table.resizeColumnsToContents()
+        table.horizontalHeader().setSectionResizeMode(USE, QtGui.QHeaderView.Stretch)
+        table.setColumnWidth(UNIT, 64)
+        for column, most in ((COLUMN, 92), (VALUE, 56)):
+            table.setColumnWidth(column, min(most, table.columnWidth(column)))
+        return table
+
+    def _constants(self):
+        """What to take for a coordinate that no column holds."""
+        box = QtGui.QWidget()
+        rows = QtGui.QFormLayout(box)
+        rows.setContentsMargins(0, 0, 0, 0)
+        self.constants, self._labels = {}, {}
+        for axis in "xyz":
+            number = number_box(-1e6, 1e6, 3, 10.0, " mm")
+            number.valueChanged.connect(self._later)
+            label = QtGui.QLabel(translate("Sens", "{axis} is in no column; it stood at").format(axis=axis.upper()))
+            rows.addRow(label, number)
+            self.constants[axis], self._labels[axis] = number, label
+        return box
+
+    def _questions(self):
+        box = QtGui.QGroupBox(translate("Sens", "What the readings mean"))
+        rows = QtGui.QVBoxLayout(box)
+        self.answers = {}
+        for key in ASKED:
+            text, choices, tip = question_words(key)
+            label = QtGui.QLabel(text)
+            label.setWordWrap(True)
+            rows.addWidget(label)
+            if key in self.stated:
+                said = QtGui.QLabel(translate("Sens", "The file says so in line {line}.").format(line=self.stated[key]))
+                said.setEnabled(False)
+                rows.addWidget(said)
+                continue
+            field = combo([("", translate("Sens", "– please answer –")), *choices])
+            field.setObjectName(f"SensAnswer_{key}")
+            field.setToolTip(tip)
+            field.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+            field.currentIndexChanged.connect(self._later)
+            rows.addWidget(field)
+            self.answers[key] = field
+        return box
+
+    def _offer_units(self, row: int, chosen: str = "") -> None:
+        kind = data(self.uses[row])
+        known = column_guess.units_of(kind)
+        unit = self.units[row]
+        unit.blockSignals(True)
+        unit.clear()
+        for name in known or ("",):
+            unit.addItem(unit_name(name), name)
+        unit.setCurrentIndex(max(0, unit.findData(chosen)))
+        unit.setEnabled(bool(known))
+        unit.blockSignals(False)
+
+    def _used(self, row: int) -> None:
+        self._offer_units(row)
+        self._later()
+
+    def _later(self, *_) -> None:
+        self._timer.start(250)
+
+    # -- what it says ------------------------------------------------------------------------------------------------
+    def chosen(self) -> list[Guess]:
+        """What each column is taken for now."""
+        found = []
+        for written, before, use, unit in zip(self.table.names, self.guesses, self.uses, self.units):
+            kind = data(use)
+            name = ""
+            if kind in column_guess.FAMILIES:
+                name = before.name if before.kind == kind else column_guess.slug(written)
+            found.append(Guess(kind, name, data(unit) if kind not in (DRIVER, IGNORE) else ""))
+        return found
+
+    def missing(self) -> list[str]:
+        """Coordinates that no column holds."""
+        held = {g.kind for g in self.chosen()}
+        return [a for a in "xyz" if a not in held]
+
+    def mapping(self) -> dict:
+        """The mapping as chosen; refuses two columns for the same."""
+        constants = {f"{a}_mm": self.constants[a].value() for a in self.missing()}
+        answers = {key: data(field) for key, field in self.answers.items() if data(field)}
+        return column_guess.mapping(self.table.names, self.chosen(), constants, answers)
+
+    def unanswered(self) -> list[str]:
+        return [key for key, field in self.answers.items() if not data(field)]
+
+    def check(self) -> None:
+        """Read the table as chosen and show what came of it."""
+        self._timer.stop()
+        missing = self.missing()
+        for axis, field in self.constants.items():
+            for widget in (field, self._labels[axis]):
+                widget.setVisible(axis in missing)
+        self.findings.clear()
+        self.readings = None
+        self.problem = ""
+        try:
+            self.readings = readings_csv.load(self.path, self.mapping())
+        except Refused as error:
+            self.problem = error.message
+        if self.problem:
+            self._say(self.problem, bad=True)
+            return
+        for f in self.readings.findings:
+            item = QtGui.QListWidgetItem(closed_loop.finding_words(f))
+            kind = QtGui.QStyle.SP_MessageBoxInformation if f.severity == "info" else QtGui.QStyle.SP_MessageBoxWarning
+            item.setIcon(self.form.style().standardIcon(kind))
+            self.findings.addItem(item)
+        words = translate("Sens", "{rows} readings at {points} places").format(
+            rows=self.readings.rows, points=self.readings.points
+        )
+        if self.unanswered():
+            self._say(translate("Sens", "{found}. Please answer the questions above.").format(found=words), bad=True)
+        else:
+            self._say(words + ".")
+
+    def _say(self, text: str, bad: bool = False) -> None:
+        self.note.setText(text)
+        self.note.setStyleSheet("color: #b03a2e; font-weight: bold" if bad else "font-weight: bold")
+
+    def save_mapping(self) -> None:
+        import json
+
+        from ..formats.files import write_text
+
+        try:
+            text = json.dumps(self.mapping(), indent=1, ensure_ascii=False)
+            path = messages.ask_save(translate("Sens", "Save mapping"), "JSON (*.json)", "mapping.json")
+            if path:
+                write_text(path, text + "\n")
+        except Refused as error:
+            messages.show(error.message)
+
+    # -- the panel ---------------------------------------------------------------------------------------------------
+    def getStandardButtons(self):
+        return buttons("Ok", "Cancel")
+
+    def accept(self):
+        import FreeCADGui as Gui
+
+        if self._timer.isActive() or self.readings is None:
+            self.check()
+        if self.readings is None:
+            messages.show(self.problem)
+            return False
+        if self.unanswered():
+            messages.show(
+                translate("Sens", "The file does not say what its signs mean. Answer the questions, then import.")
+            )
+            return False
+        mapping = self.mapping()
+        doc = self.machine.Document
+        done = messages.change(
+            doc, translate("Sens", "Import readings"),
+            lambda: closed_loop.make_readings(self.machine, self.path, mapping),
+        )  # fmt: skip
+        if done:
+            Gui.Control.closeDialog()
+            messages.status(self.note.text())
+        return done
+
+    def reject(self):
+        import FreeCADGui as Gui
+
+        self._timer.stop()
+        Gui.Control.closeDialog()
+        return True
+
+
+def data(field):
+    """What the chosen entry of a combo box stands for."""
+    return field.itemData(field.currentIndex())
+
+
+def unit_name(unit: str) -> str:
+    return {
+        "um": "µm", "C": "°C", "F": "°F", "mm_min": "mm/min", "m_min": "m/min", "mm_s": "mm/s", "m_s": "m/s",
+        "um_s": "µm/s", "in_min": "in/min", "in_s": "in/s", "1_min": "1/min", "1_s": "1/s", "rad_s": "rad/s",
+        "deg_s": "°/s", "": "–",
+    }.get(unit, unit)  # fmt: skip
+
+
+def use_name(kind: str) -> str:
+    """What a column may be, in words."""
+    if kind[-1] in "xyz" and kind not in ("temp_", "load_"):
+        axis = kind[-1].upper()
+        words = {
+            "": translate("Sens", "position {axis}"), "e": translate("Sens", "error along {axis}"),
+            "n": translate("Sens", "direction of sensing {axis}"), "dir_": translate("Sens", "approach along {axis}"),
+            "tool_d": translate("Sens", "tool offset {axis}"),
+        }  # fmt: skip
+        return words[kind[:-1]].format(axis=axis)
+    return {
+        "reading": translate("Sens", "reading along its direction"), "u": translate("Sens", "standard uncertainty"),
+        "run": translate("Sens", "run"), "t": translate("Sens", "time"), "feed": translate("Sens", "feed"),
+        "spindle": translate("Sens", "spindle speed"), "temp_": translate("Sens", "temperature"),
+        "load_": translate("Sens", "load"), DRIVER: translate("Sens", "driver, as it is"),
+        IGNORE: translate("Sens", "ignored"),
+    }[kind]  # fmt: skip
+
+
+def question_words(key: str) -> tuple[str, list[tuple[str, str]], str]:
+    """(question, [(answer, words)], explanation)."""
+    words = {
+        "sign": (
+            translate("Sens", "The readings are"),
+            (
+                translate("Sens", "errors: actual minus commanded"),
+                translate("Sens", "compensation values: commanded minus actual"),
+            ),
+            translate("Sens", "A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm"),
+        ),
+        "frame": (
+            translate("Sens", "They are the motion of"),
+            (
+                translate("Sens", "the tool relative to the workpiece"),
+                translate("Sens", "the table relative to the tool"),
+            ),
+            translate("Sens", "When a table moves to +X, the tool moves to −X on the workpiece"),
+        ),
+        "positions": (
+            translate("Sens", "The positions are"),
+            (
+                translate("Sens", "as programmed"),
+                translate("Sens", "of the table, X and Y counted its way"),
+            ),
+            translate("Sens", "Programmed positions are those of the tool on the workpiece"),
+        ),
+    }[key]
+    text, names, tip = words
+    values = list(ANSWERS[key])
+    if key == "positions":
+        values[1] = "table X Y"
+    return text, list(zip(values, names)), tip
+
+
+def import_readings(machine, path):
+    """Open the panel for a file."""
+    import FreeCADGui as Gui
+
+    panel = TaskReadings(machine, path)
+    Gui.Control.showDialog(panel)
+    return panel
