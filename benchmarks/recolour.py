@@ -218,8 +218,8 @@ def main(argv: list[str]) -> int:
     options = parser.parse_args(argv)
     found = run(options.machine, options.grid, options.runs)
     base = statistics.median(found["ms"]["colours only"])
-    print(f"{options.machine}, {found['parts']} coloured parts, {options.grid}x{options.grid}x{options.grid} positions, "
-          f"{options.runs} runs each, software GL; load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")  # fmt: skip
+    print(f"{options.machine}, {found['parts']} coloured parts, {options.grid}³ positions, {options.runs} runs each; "
+          f"software GL, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")  # fmt: skip
     print(f"{'from change to repaint':<24}{'median ms':>11}{'fastest':>9}{'slowest':>9}{'ratio':>8}")
     for name, times in found["ms"].items():
         middle = statistics.median(times)

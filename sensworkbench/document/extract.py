@@ -8,7 +8,7 @@ it, a workpiece-side one by -q u, and home is where they would be without.  Coor
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import FreeCAD as App
 import numpy as np
@@ -247,7 +247,20 @@ def survey(machine) -> Survey:
     source = place(machine.ToolPoint)
     vector, _ = geometry.point(source, "Automatic")
     core = _core(machine, axes, u, direction_from, points, home(source, vector, "T"))
+    offsets = {name: numbers(axis.ReferenceOffset) for name, axis in axes.items() if axis.ReferenceOffset.Length > 0}
+    if offsets:
+        core = with_offsets(core, offsets)
+        reference_from |= {name: reference_from[name] + ", moved" for name in offsets}
     return Survey(core, current_position(machine), direction_from, reference_from, index, tuple(loose))
+
+
+def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) -> Machine:
+    """The machine with the reference points (scales) of some axes moved: axis -> mm along the machine's X, Y, Z."""
+    axes = dict(core.axes)
+    for name, offset in offsets.items():
+        moved = np.array(axes[name].reference) + core.frame @ np.array(offset, dtype=float)
+        axes[name] = replace(axes[name], reference=tuple(moved.tolist()))
+    return replace(core, axes=axes)
 
 
 def _own_reference(machine, body, at):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What if: halve a tolerance, freeze an error, change a weight - the new ranking beside the old one.
+"""What if: halve a tolerance, freeze an error, change a weight, move a scale - the new ranking beside the old one.
 
 Everything here works on a copy of the machine in memory; the document changes only with Apply, as one undo step.
 """
@@ -12,9 +12,10 @@ from math import sqrt
 import FreeCAD as App
 
 from ..core import workspace
+from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, tables
-from . import messages
+from ..document import extract, factory, results, tables
+from . import live, messages
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, translate
 from .ranking import _Item, angular
@@ -55,6 +56,7 @@ class WhatIf(QtGui.QWidget):
         row.addWidget(self.factor, 1)
         row.addWidget(self.set_button)
         layout.addLayout(row)
+        layout.addLayout(self._scale_row())
         self.table = QtGui.QTreeWidget()
         self.table.setObjectName("SensWhatIf")
         self.table.setRootIsDecorated(False)
@@ -77,7 +79,7 @@ class WhatIf(QtGui.QWidget):
         self.reset_button = QtGui.QPushButton(translate("Sens", "Start over"))
         self.apply_button = QtGui.QPushButton(translate("Sens", "Apply"))
         self.apply_button.setToolTip(
-            translate("Sens", "Writes the tolerances and weights to the machine, one undo step")
+            translate("Sens", "Writes the tolerances, weights and moved scales to the machine, one undo step")
         )
         self.reset_button.clicked.connect(self.reset)
         self.apply_button.clicked.connect(self.apply)
@@ -86,9 +88,46 @@ class WhatIf(QtGui.QWidget):
         layout.addLayout(row)
         self.machine = self.result = None
         self.changes: dict[str, float] = {}
+        self.moved: dict[str, tuple[float, float, float]] = {}  # axis -> shift of its scale, mm
         self._print = ""
         self._quiet = False
         self._then = None
+
+    def _scale_row(self):
+        tip = translate("Sens", "Moves the reference point of an axis, where its scale is read, along X, Y, Z")
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(translate("Sens", "Move the scale of")))
+        self.axis = combo([(name, name) for name in AXES])
+        self.axis.setToolTip(tip)
+        self.axis.currentIndexChanged.connect(self._show_shift)
+        row.addWidget(self.axis)
+        self.shift = [number_box(-1e5, 1e5, 1, 10, " mm") for _ in AXES]
+        for name, box in zip(AXES, self.shift):
+            box.setPrefix(f"{name.lower()} ")
+            box.setToolTip(tip)
+            box.setMinimumWidth(72)
+            box.setKeyboardTracking(False)
+            box.valueChanged.connect(self._shifted)
+            row.addWidget(box, 1)
+        return row
+
+    def _show_shift(self, *_) -> None:
+        self._quiet = True
+        for box, value in zip(self.shift, self.moved.get(self.axis.itemData(self.axis.currentIndex()), (0.0,) * 3)):
+            box.setValue(value)
+        self._quiet = False
+
+    def _shifted(self, *_) -> None:
+        if not self._quiet:
+            self.move_scale(self.axis.itemData(self.axis.currentIndex()), [box.value() for box in self.shift])
+
+    def move_scale(self, name: str, offset) -> None:
+        """Shift the reference point of an axis by three numbers, mm along the machine's X, Y, Z; zeros put it back."""
+        offset = tuple(float(v) for v in offset)
+        self.moved.pop(name, None)
+        if any(offset):
+            self.moved[name] = offset
+        self.compute()
 
     def show_machine(self, machine, result) -> None:
         """Start from a result; what was tried is kept while the result is the same."""
@@ -100,7 +139,8 @@ class WhatIf(QtGui.QWidget):
             self.reset()
 
     def reset(self, *_) -> None:
-        self.changes = {}
+        self.changes, self.moved = {}, {}
+        self._show_shift()
         self._quiet = True
         if self.machine is not None:
             for box, value in zip(self.weights, self.machine.Weights):
@@ -123,7 +163,7 @@ class WhatIf(QtGui.QWidget):
 
     def _tried(self):
         """(core machine, objective) with the changes."""
-        core = extract.core_machine(self.machine)
+        core = extract.with_offsets(extract.core_machine(self.machine), self.moved)
         tolerances = core.all_tolerances
         tolerances |= {s: tolerances[s].scaled(f) for s, f in self.changes.items() if s in tolerances}
         objective = replace(extract.objective(self.machine), weights=tuple(b.value() for b in self.weights))
@@ -139,19 +179,32 @@ class WhatIf(QtGui.QWidget):
         try:
             if self.result is not None:
                 core, objective = self._tried()
-                positions = extract.positions(self.machine, core)
-                then = workspace.sensitivity(core, positions, objective, estimate=False)
+                then = self._indices(core, objective)
                 self._fill(core, then)
                 self._then = then
         except Refused as error:
             self.summary.setText(error.message)
+        except workspace.Cancelled:
+            self.summary.setText(translate("Sens", "Cancelled; nothing was changed"))
         self.table.setSortingEnabled(True)
         for i in range(self.table.topLevelItemCount()):
             item = self.table.topLevelItem(i)
             item.setSelected(item.text(ERROR) in selected)
-        changed = self._then is not None and (bool(self.changes) or self._weights_changed())
-        self.apply_button.setEnabled(changed)
-        self.reset_button.setEnabled(bool(self.changes) or self._weights_changed())
+        self.apply_button.setEnabled(self._then is not None and self._changed())
+        self.reset_button.setEnabled(self._changed())
+
+    def _indices(self, core, objective):
+        """The indices of what is tried; those of the result where nothing was changed yet."""
+        if not self._changed():
+            return results.load(self.machine, self.result)
+        positions = extract.positions(self.machine, core)
+        return live.in_background(
+            lambda progress: workspace.sensitivity(core, positions, objective, progress, estimate=False),
+            translate("Sens", "Computing the indices at {n} positions").format(n=len(positions.q)),
+        )
+
+    def _changed(self) -> bool:
+        return bool(self.changes) or bool(self.moved) or self._weights_changed()
 
     def _weights_changed(self) -> bool:
         return self.machine is not None and any(
@@ -177,8 +230,11 @@ class WhatIf(QtGui.QWidget):
             unit = units.get(symbol) or ("urad" if is_angle else "um")
             before, here = ranks[0].get(symbol, 0), ranks[1][symbol]
             arrow = "" if before == here else " ▲" if here < before else " ▼"
+            change = words.get(factor, f"× {factor:g}") if factor != 1.0 else ""
+            if owner in self.moved and not change:
+                change = translate("Sens", "scale moved")
             texts = (
-                symbol, words.get(factor, f"× {factor:g}") if factor != 1.0 else "",
+                symbol, change,
                 f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
                 limits(law.lower, law.upper, unit, is_angle) if law else "",
                 body_name(self.machine, owner), error_meaning(symbol),
@@ -186,7 +242,7 @@ class WhatIf(QtGui.QWidget):
             for column, text in enumerate(texts):
                 item.setText(column, text)
                 item.setToolTip(column, text)
-                if factor != 1.0:
+                if change:
                     font = item.font(column)
                     font.setBold(True)
                     item.setFont(column, font)
@@ -211,7 +267,11 @@ class WhatIf(QtGui.QWidget):
             text += f" ({100 * (new - old) / old:+.1f} %)"
         worst = max(zip(then.bodies, then.component_total.tolist()), key=lambda p: p[1])
         words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
-        return text + " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
+        text += " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
+        for name, offset in self.moved.items():
+            words = translate("Sens", "scale of {name} moved by {offset} mm")
+            text += "<br>" + words.format(name=name, offset="(" + ", ".join(f"{v:g}" for v in offset) + ")")
+        return text
 
     def apply(self) -> None:
         """Write what was tried to the document and compute it: one undo step."""
@@ -230,7 +290,10 @@ class WhatIf(QtGui.QWidget):
             known = set(tables.read_tolerances(machine)) | set(self.changes)
             tables.write_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
             machine.Weights = App.Vector(*objective.weights)
+            for name, offset in self.moved.items():
+                factory.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)
             compute_and_colour(machine)
 
         if messages.change(machine.Document, translate("Sens", "Apply what-if"), change):
-            self.changes = {}
+            self.changes, self.moved = {}, {}
+            self._show_shift()

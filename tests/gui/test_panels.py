@@ -348,6 +348,42 @@ def test_what_if_changes_nothing_until_apply(machine, machine_doc):
     dock.tabs.setCurrentIndex(0)
 
 
+def test_a_scale_is_moved_in_mind_then_in_the_document(machine, machine_doc):
+    run("Sens_Sensitivity")
+    before, undos = state(machine_doc), machine_doc.UndoCount
+    dock = review.dock()
+    tab = dock.what_if
+    dock.tabs.setCurrentIndex(2)
+    axis = factory.axis_of(machine, "Y")
+    reference, offset = App.Vector(axis.ReferencePoint), App.Vector(axis.AbbeOffset)
+    tab.axis.setCurrentIndex(1)
+    tab.shift[2].setValue(150.0)  # nearer to the tool
+    then = dict(zip(tab._then.symbols, tab._then.total))
+    result = factory.sensitivity_of(machine)
+    assert then["EBY"] < dict(zip(result.Symbols, result.Total))["EBY"]  # a shorter arm, a smaller index
+    assert "scale of Y moved by (0, 0, 150) mm" in tab.summary.text()
+    rows = [tab.table.topLevelItem(i) for i in range(tab.table.topLevelItemCount())]
+    assert {r.text(0) for r in rows if r.text(1) == "scale moved"} == {s for s, o in zip(result.Symbols, result.Owners)
+                                                                       if o == "Y"}  # fmt: skip
+    screenshot("what-if-scale")
+    tab.axis.setCurrentIndex(0)
+    assert [b.value() for b in tab.shift] == [0.0, 0.0, 0.0]
+    assert differences(before, state(machine_doc)) == [] and machine_doc.UndoCount == undos
+    tab.apply_button.click()
+    pump(60)
+    assert tuple(axis.ReferenceOffset) == (0.0, 0.0, 150.0)
+    assert axis.ReferencePoint - reference == App.Vector(0, 0, 150)
+    assert axis.AbbeOffset - offset == App.Vector(0, 0, -150)
+    assert axis.ReferenceFrom.endswith("moved")
+    assert dict(zip(result.Symbols, result.Total)) == pytest.approx(then, abs=1e-9)
+    assert machine_doc.UndoCount == undos + 1
+    assert tab.moved == {} and not tab.apply_button.isEnabled()
+    machine_doc.undo()
+    pump(200)
+    assert differences(before, state(machine_doc)) == []
+    dock.tabs.setCurrentIndex(0)
+
+
 def test_a_changed_tolerance_recolours_at_once(machine, machine_doc):
     run("Sens_Sensitivity")
     result = factory.sensitivity_of(machine)
