@@ -77,7 +77,7 @@ def _import_errors(arguments) -> int:
         cli.say(f"{finding.severity}: {finding.message}")
     for table in quality:
         cli.say(
-            f"{table.symbol}: differs from the table by {table.rms:.3g} rms, {table.largest:.3g} {table.unit} at most"
+            f"{table.symbol}: differs from the table by {table.rms:.3f} {table.unit} rms, {table.largest:.3f} at most"
         )
     cli.say(str(arguments.out))
     return cli.DONE

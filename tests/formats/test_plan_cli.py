@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import csv
 import json
+import re
+import shlex
 import xml.etree.ElementTree as ElementTree
 
 import numpy as np
@@ -14,7 +16,7 @@ from sensworkbench import cli
 from sensworkbench.closedloop.plan import Plan
 from sensworkbench.formats import machine_json, plan_out
 
-from .support import command, golden, write
+from .support import ROOT, command, golden, write
 
 FITTED = {
     "EXX": {"basis": "legendre", "domain": [-300, 300], "coefficients": [0, 4, -1.5, 0.5], "unit": "um"},
@@ -228,3 +230,31 @@ def test_an_imported_machine_never_overwrites_its_input(place, capsys):
         before = (place / name).read_bytes()
         assert cli.main([*words, str(place / name)]) == 2
         assert (place / name).read_bytes() == before and "overwritten" in capsys.readouterr().err
+
+
+COMMAND = re.compile(r"^ {4}python3 -m sensworkbench (.+?)(?: +#.*)?$", re.MULTILINE)
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/command-line.md"])
+def test_every_command_of_the_documentation_is_one(page):
+    found = COMMAND.findall((ROOT / page).read_text(encoding="utf-8"))
+    assert len(found) > 7
+    for line in found:
+        if not line.startswith("VERB"):
+            words = cli.parser().parse_args(shlex.split(line))
+            for name in ("machine", "positions", "tolerances"):
+                given = getattr(words, name, None)
+                if given and given.startswith("resources/"):
+                    assert (ROOT / given).exists(), line
+
+
+def test_every_verb_and_option_stands_on_its_page():
+    sections = re.split(r"^## ", (ROOT / "docs" / "command-line.md").read_text(encoding="utf-8"), flags=re.MULTILINE)
+    text = {s.split("\n", 1)[0]: s for s in sections}
+    verbs = next(a for a in cli.parser()._actions if a.dest == "verb").choices
+    assert set(verbs) == set(text) - {sections[0].split("\n", 1)[0]}
+    for verb, grammar in verbs.items():
+        for action in grammar._actions:
+            for option in action.option_strings:
+                if option.startswith("--") and option != "--help":
+                    assert option in text[verb], (verb, option)
