@@ -24,7 +24,7 @@ def ticks(low: float, high: float, count: int = 5) -> list[float]:
     step *= next((m for m in (1, 2, 5) if span / (step * m) <= count), 10)
     first = np.ceil(low / step - 1e-9)
     last = np.floor(high / step + 1e-9)
-    return [float(step * k) for k in np.arange(first, last + 1)]
+    return [float(step * k) + 0.0 for k in np.arange(first, last + 1)]
 
 
 class Plot:

@@ -94,7 +94,7 @@ class Ranking(QtGui.QWidget):
         )  # fmt: skip
         for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(rows, start=1):
             item = _Item(self.table)
-            tolerance = limits(low, high, unit, angular(symbol) if unit not in ("um", "mm", "nm") else False)
+            tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
             texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, body_name(machine, owner), error_meaning(symbol))
             for column, text in enumerate(texts):
                 item.setText(column, text)

@@ -17,7 +17,7 @@ from ..core.errors import AXES
 from ..core.refusal import Refused
 from ..document import extract, factory
 from .arrows import Arrow, Arrows
-from .legend import Legend, unbounded
+from .legend import Legend
 from .picture import blank, font, painter, plate, set_image, text_width
 from .plots import AFTER, BEFORE
 from .qt import Qt, QtCore, QtGui, later, translate
@@ -53,8 +53,8 @@ def mesh(starts, ends, thickness: float) -> tuple[np.ndarray, np.ndarray]:
     angle = 2 * np.pi * np.arange(_SIDES) / _SIDES
     ring = u[:, None] * np.cos(angle)[None, :, None] + v[:, None] * np.sin(angle)[None, :, None]
     thin = np.minimum(thickness, length / 8)[:, None]
-    neck = starts + d * (length - np.minimum(7 * thickness, 0.5 * length))
-    parts = [starts[:, None] + thin * ring, neck[:, None] + thin * ring, neck[:, None] + 3.2 * thin * ring]
+    neck = starts + d * (length - np.minimum(8 * thickness, 0.45 * length))
+    parts = [starts[:, None] + thin * ring, neck[:, None] + thin * ring, neck[:, None] + 2.8 * thin * ring]
     points = np.concatenate([*parts, (starts + along)[:, None]], axis=1)
     i, k = np.arange(_SIDES), (np.arange(_SIDES) + 1) % _SIDES
     end, tip = np.full(_SIDES, -1), np.full(_SIDES, 3 * _SIDES)
@@ -150,7 +150,6 @@ class ResidualArrows:
 
     def __init__(self):
         self.root = coin.SoGroup()
-        group = unbounded()
         note = coin.SoAnnotation()
         style = coin.SoPickStyle()
         style.style = coin.SoPickStyle.UNPICKABLE
@@ -159,8 +158,7 @@ class ResidualArrows:
         self._content = coin.SoSeparator()
         for child in (style, coin.SoResetTransform(), flat, self._content):
             note.addChild(child)
-        group.addChild(note)
-        self.root.addChild(group)
+        self.root.addChild(note)  # with an extent, so that the view can be fitted to a selected trace
         self.reference = Arrows()
         self.root.addChild(self.reference.root)
         self.key = _KeyLegend()
@@ -184,7 +182,7 @@ class ResidualArrows:
         span = float(np.ptp(where, axis=0).max()) or 1.0
         longest = max(float(np.linalg.norm(v, axis=1).max(initial=0.0)) for v in vectors.values()) or 1.0
         scale = LONGEST * span / longest  # mm in the view per um, the same for both
-        thickness = span / 130
+        thickness = span / 170
         series = []
         names = {SHOW_BEFORE: translate("Sens", "Declared errors corrected"),
                  SHOW_AFTER: translate("Sens", "With the found effects")}  # fmt: skip
@@ -202,9 +200,9 @@ class ResidualArrows:
         reference = round_length(longest)
         start = _corner(where, directions)
         end = start + directions[0] * scale * reference
-        ink = (0.15, 0.18, 0.22)
+        ink = (0.72, 0.10, 0.45)
         text = f"{reference:g} µm"
-        self.reference.show([Arrow(tuple(start.tolist()), tuple(end.tolist()), ink, text, 1.0)], span * 0.5)
+        self.reference.show([Arrow(tuple(start.tolist()), tuple(end.tolist()), ink, text, 1.0)], span * 1.6)
         lines = [translate("Sens", "Arrows {times} times as long as the error").format(times=_thousands(scale * 1e3))]
         shown = max(self.counts.values(), default=0)
         if shown < len(where):

@@ -102,10 +102,16 @@ class TaskTrace:
         ])  # fmt: skip
         self.show_arrows.setToolTip(translate("Sens", "Residuals as arrows in the workspace, all on one scale"))
         self.show_arrows.currentIndexChanged.connect(self._arrows)
-        grid.addWidget(self.add, 0, 0)
-        grid.addWidget(self.report, 0, 1)
-        grid.addWidget(QtGui.QLabel(translate("Sens", "Residuals in the view")), 1, 0)
+        self.zoom = QtGui.QPushButton(translate("Sens", "Zoom"))
+        self.zoom.setToolTip(translate("Sens", "Fits the view to the residuals"))
+        self.zoom.clicked.connect(lambda *_: zoom_to(self.trace))
+        grid.addWidget(self.add, 0, 0, 1, 2)
+        grid.addWidget(self.report, 0, 2)
+        self.show_arrows.setMinimumContentsLength(6)
+        grid.addWidget(QtGui.QLabel(translate("Sens", "Residuals")), 1, 0)
         grid.addWidget(self.show_arrows, 1, 1)
+        grid.addWidget(self.zoom, 1, 2)
+        grid.setColumnStretch(1, 1)
         return grid
 
     # -- running -----------------------------------------------------------------------------------------------------
@@ -227,6 +233,7 @@ class TaskTrace:
         self.report.setEnabled(not busy and trace is not None)
         self.show_arrows.setEnabled(trace is not None)
         shown = trace.ViewObject.ShowResiduals if trace is not None else residuals.OFF
+        self.zoom.setEnabled(shown != residuals.OFF)
         if self.show_arrows.itemData(self.show_arrows.currentIndex()) != shown:
             self.show_arrows.blockSignals(True)
             self.show_arrows.setCurrentIndex(self.show_arrows.findData(shown))
@@ -276,6 +283,7 @@ class TaskTrace:
         trace = self.trace
         if trace is not None:
             show_residuals(trace, self.show_arrows.itemData(self.show_arrows.currentIndex()))
+            self._sync()
 
     # -- the panel ---------------------------------------------------------------------------------------------------
     def getStandardButtons(self):
@@ -311,6 +319,17 @@ def show_residuals(trace, what: str) -> None:
         trace.ViewObject.Visibility = True
 
     messages.change(trace.Document, translate("Sens", "Residuals"), change)
+
+
+def zoom_to(trace) -> None:
+    """Fit the view to the residuals of a trace."""
+    import FreeCADGui as Gui
+
+    if trace is not None:
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(trace)
+        Gui.SendMsgToActiveView("ViewSelection")
+        Gui.Selection.clearSelection()
 
 
 def ask_and_write(trace) -> list:

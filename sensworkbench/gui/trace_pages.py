@@ -130,6 +130,14 @@ def stage(name: str) -> str:
     }[name]
 
 
+def short_stages() -> list[tuple[str, str]]:
+    """(stage, a name that fits a narrow table)."""
+    return [
+        ("uncorrected", translate("Sens", "uncorrected")), ("declared", translate("Sens", "declared")),
+        ("augmented", translate("Sens", "with effects")),
+    ]  # fmt: skip
+
+
 def parameter_name(key: str) -> str:
     """What a parameter of an effect is, in words."""
     return {
@@ -176,7 +184,11 @@ def result_page(report, machine=None):
         parts.append(paragraph(f"{said[:1].upper()}{said[1:]}. {line}." if said else f"{line}."))
         if report["depends_on"]:
             listed = ", ".join(f"{d['column']} (p = {d['p']:.2g})" for d in report["depends_on"])
-            parts.append(paragraph(translate("Sens", "It depends on {columns}.").format(columns=listed)))
+            parts.append(
+                paragraph(
+                    translate("Sens", "What the declared errors leave depends on {columns}.").format(columns=listed)
+                )
+            )
         return "".join(parts)
 
     return fill
@@ -277,17 +289,18 @@ def before_after_page(report, outcome=None):
     """The table of the error at each stage, the histogram, shifts of parameters and of the sensitivity."""
 
     def fill(page: Page) -> str:
-        head = ["", "", "#rms", "#95 %", "#" + translate("Sens", "largest"), "#x", "#y", "#z"]
-        rows = []
-        for s in trace_report.STAGES:
-            for part, name in (
-                ("in_sample", translate("Sens", "in the fit")), ("held_out", translate("Sens", "held out")),
-            ):  # fmt: skip
+        head = ["", "#rms", "#95 %", "#max", "#x", "#y", "#z"]
+        parts = []
+        for part, title in (
+            ("held_out", translate("Sens", "3-D error of readings that took no part in the fit, µm")),
+            ("in_sample", translate("Sens", "The same for the readings of the fit, µm")),
+        ):
+            rows = []
+            for s, name in short_stages():
                 m = report["error"][s][part]
                 each = [um(m.get(f"rms_{a}_um")) for a in "xyz"]
-                first = stage(s) if part == "in_sample" else ""
-                rows.append((first, name, um(m["rms_um"]), um(m["p95_um"]), um(m["max_um"]), *each))
-        parts = [heading(translate("Sens", "3-D error of the points, µm")), table(head, rows)]
+                rows.append((name, um(m["rms_um"]), um(m["p95_um"]), um(m["max_um"]), *each))
+            parts += [heading(title), table(head, rows)]
         span = report["error"]["augmented"]["held_out"].get("rms_interval_um")
         before = report["error"]["declared"]["held_out"].get("rms_interval_um")
         if span and before:
