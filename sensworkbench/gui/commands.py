@@ -214,7 +214,7 @@ class ErrorMap(Command):
     name = "Sens_ErrorMap"
     menu_text = QT_TRANSLATE_NOOP("Sens_ErrorMap", "Error Map")
     tip = QT_TRANSLATE_NOOP(
-        "Sens_ErrorMap", "Shows the expected error over the workspace as coloured points, or hides it"
+        "Sens_ErrorMap", "Shows the error over the workspace as coloured points or a slice, or hides it"
     )
 
     def IsActive(self):
@@ -229,7 +229,8 @@ class ErrorMap(Command):
             view.ShowErrorMap = not view.ShowErrorMap
             display.update(result)
 
-        messages.change(machine.Document, translate("Sens", "Error map"), change)
+        if messages.change(machine.Document, translate("Sens", "Error map"), change) and view.ShowErrorMap:
+            messages.status(translate("Sens", "What the map shows is chosen in the review, under Settings"))
 
 
 COMMANDS = (

@@ -93,18 +93,27 @@ def update(result, *, fresh: bool = False) -> None:
         proxy.legend.show(legend_text(machine, result), scale(result), view.LegendCorner)
     else:
         proxy.legend.hide()
-    if view.ShowErrorMap:
-        try:
-            proxy.map.show(machine, view.ColourMap, "Upper left" if view.LegendCorner == "Lower left" else "Lower left")
-        except Refused:
-            proxy.map.hide()
-    else:
-        proxy.map.hide()
+    show_map(machine, result)
     ask_for_frame()
     if result.Coloured and result.Stale:
         from .live import wake
 
         wake(machine)
+
+
+def show_map(machine, result, at: float | None = None) -> None:
+    """The error map as the view properties say; `at`: another position of the slice, mm, while it is being dragged."""
+    view = result.ViewObject
+    drawn = view.Proxy.map
+    if not view.ShowErrorMap:
+        drawn.hide()
+        return
+    corner = "Upper left" if view.LegendCorner == "Lower left" else "Lower left"
+    at = view.ErrorMapAt.Value if at is None else at
+    try:
+        drawn.show(machine, view.ColourMap, corner, view.ErrorMapShows, view.ErrorMapAs, at)
+    except Refused:
+        drawn.hide()
 
 
 def ask_for_frame() -> None:

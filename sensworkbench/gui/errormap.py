@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The expected volumetric error over the workspace as coloured points, with a legend of its own in µm.
+"""The volumetric error over the workspace, as coloured points or as a slice, with a legend of its own in µm.
 
-Each point stands where the tool point is relative to the workpiece at that position; its colour is the root of the mean
-square E[Y] there.  The points carry the legend's scale from the smallest to the largest value.
+Each point stands where the tool point is relative to the workpiece at that position.  Its colour is the root of the
+mean square, √E[Y], or the upper estimate √(E[Y] + 2 √V(Y)): Y lies two of its standard deviations above its mean.
+The legend runs from the smallest to the largest value shown.
 """
 
 from __future__ import annotations
@@ -16,27 +17,58 @@ from ..core.errors import AXES
 from ..core.synthesis import omega
 from ..core.workspace import error_table
 from ..core.workspace import grid as grid_positions
-from ..document import extract
+from ..document import extract, factory
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
 from .qt import translate
+from .viewproviders import MAP_FORMS, MAP_SHOWS
 
 COUNT = 7  # points per axis
+FINE = 25  # nodes of a slice per axis
+EXPECTED, WORST = MAP_SHOWS
+POINTS = MAP_FORMS[0]
 
 
-def rms(core, objective, count: int = COUNT) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(positions (P, 3) mm, tool point relative to the workpiece (P, 3) mm in document coordinates, sqrt E[Y] (P,))."""
-    q = grid_positions(core, count).q
+def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
+    """(P, 3) positions of the axes: a grid over the travel, or FINE x FINE of them with one axis at `at` (mm)."""
+    if form == POINTS:
+        return grid_positions(core, COUNT).q
+    fixed = AXES.index(form[-1])
+    low, high = core.travel[fixed]
+    nodes = [np.linspace(a, b, FINE) for a, b in core.travel]
+    nodes[fixed] = np.array([min(max(at, low), high)])
+    return np.stack([g.ravel() for g in np.meshgrid(*nodes, indexing="ij")], axis=1)
+
+
+def errors(core, objective, q: np.ndarray, what: str = EXPECTED) -> np.ndarray:
+    """(P,) error at positions q (P, 3) mm: √E[Y] or √(E[Y] + 2 √V(Y)), mm (rad for orientation).
+
+    A signed objective has its own mean and variance: √(E[Y]² + V(Y)), and |E[Y]| + 2 √V(Y).
+    """
     _, columns, _, laws = error_table(core)
     matrix = omega(core, columns, q, output=objective.output)
     law = moments(laws)
     if objective.signed:
-        mean_square = sobol.signed_indices(matrix, law, objective.weights)
-        value = np.sqrt(mean_square.variance + mean_square.mean**2)
-    else:
-        value = np.sqrt(sobol.indices(matrix, law, objective.weights).mean)
-    step = sum(q[:, [i]] * np.array(core.axes[k].direction) for i, k in enumerate(AXES))
-    return q, np.array(core.tool_point) + step, value
+        found = sobol.signed_indices(matrix, law, objective.weights)
+        if what == WORST:
+            return np.abs(found.mean) + 2 * np.sqrt(found.variance)
+        return np.sqrt(found.variance + found.mean**2)
+    found = sobol.indices(matrix, law, objective.weights)
+    return np.sqrt(found.mean + 2 * np.sqrt(found.variance) if what == WORST else found.mean)
+
+
+def places(core, q: np.ndarray) -> np.ndarray:
+    """(P, 3) the tool point relative to the workpiece at positions q, mm, document coordinates."""
+    return np.array(core.tool_point) + sum(q[:, [i]] * np.array(core.axes[k].direction) for i, k in enumerate(AXES))
+
+
+def title(objective, what: str) -> str:
+    if objective.signed:
+        return (translate("Sens", "Upper estimate |E[Y]| + 2√V(Y)") if what == WORST
+                else translate("Sens", "Expected error √(E[Y]² + V(Y))"))  # fmt: skip
+    if what == WORST:
+        return translate("Sens", "Upper estimate √(E[Y] + 2√V(Y))")
+    return translate("Sens", "Expected error √E[Y]")
 
 
 class ErrorMap:
@@ -52,14 +84,22 @@ class ErrorMap:
         flat.model = coin.SoLightModel.BASE_COLOR
         draw = coin.SoDrawStyle()
         draw.pointSize = 9.0
+        sides = coin.SoShapeHints()  # a slice is seen from both sides
+        sides.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        sides.shapeType = coin.SoShapeHints.UNKNOWN_SHAPE_TYPE
         self._material = coin.SoMaterial()
         binding = coin.SoMaterialBinding()
         binding.value = coin.SoMaterialBinding.PER_VERTEX
         self._coordinates = coin.SoCoordinate3()
         self._points = coin.SoPointSet()
-        for child in (style, coin.SoResetTransform(), flat, draw, self._material, binding, self._coordinates):
+        self._mesh = coin.SoQuadMesh()
+        self._mesh.verticesPerRow = self._mesh.verticesPerColumn = FINE
+        self._form = coin.SoSwitch()
+        self._form.addChild(self._points)
+        self._form.addChild(self._mesh)
+        for child in (style, coin.SoResetTransform(), flat, draw, sides, self._material, binding, self._coordinates):
             note.addChild(child)
-        note.addChild(self._points)
+        note.addChild(self._form)
         self._switch = coin.SoSwitch()
         self._switch.addChild(note)
         self._switch.whichChild = coin.SO_SWITCH_NONE
@@ -67,26 +107,42 @@ class ErrorMap:
         self.root.addChild(group)
         self.legend = Legend()
         self.root.addChild(self.legend.root)
+        self._key = None
 
     @property
     def shown(self) -> bool:
         return self._switch.whichChild.getValue() == 0
 
-    def show(self, machine, colour_map: str, corner: str) -> None:
-        core, objective = extract.core_machine(machine), extract.objective(machine)
-        _, where, value = rms(core, objective)
+    def show(self, machine, colour_map: str, corner: str, what: str = EXPECTED, form: str = POINTS,
+             at: float = 0.0) -> None:  # fmt: skip
+        """Compute and draw; what : `MAP_SHOWS`, form : `MAP_FORMS`, at : position of the sliced axis in mm."""
+        stands = [tuple(machine.FunctionalPoint), *(tuple(factory.axis_of(machine, name).Direction) for name in AXES)]
+        key = (machine.Fingerprint, *stands, colour_map, what, form, at)
+        if key != self._key:
+            core, objective = extract.core_machine(machine), extract.objective(machine)
+            q = positions(core, form, at)
+            if form != POINTS:
+                at = float(q[0, AXES.index(form[-1])])
+            self._fill(places(core, q), errors(core, objective, q, what), objective, colour_map, what, form, at)
+            self._key = key if machine.Fingerprint else None
+        self._switch.whichChild = 0
+        self.legend.show(self._text, self._scale, corner)
+
+    def _fill(self, where, value, objective, colour_map, what, form, at) -> None:
         factor, unit = (1e3, "µm") if objective.output == "position" else (1e6, "µrad")
         value = value * factor
-        scale = Scale(float(value.min()), float(value.max()), colour_map)
-        self._coordinates.point.setValues(0, len(where), [tuple(p) for p in where.tolist()])
+        self._scale = scale = Scale(float(value.min()), float(value.max()), colour_map)
         colours = [scale.colour(v) for v in value.tolist()]
+        self._coordinates.point.setNum(len(where))
+        self._coordinates.point.setValues(0, len(where), [tuple(p) for p in where.tolist()])
+        self._material.diffuseColor.setNum(len(colours))
         self._material.diffuseColor.setValues(0, len(colours), colours)
         self._points.numPoints = len(where)
-        self._switch.whichChild = 0
-        text = LegendText(
-            translate("Sens", "Expected error √E[Y]"), unit, translate("Sens", "tool point over the workspace")
-        )
-        self.legend.show(text, scale, corner)
+        self._form.whichChild = 0 if form == POINTS else 1
+        words = translate("Sens", "tool point over the workspace")
+        if form != POINTS:
+            words = translate("Sens", "slice at {axis} = {position} mm").format(axis=form[-1], position=f"{at:g}")
+        self._text = LegendText(title(objective, what), unit, words)
 
     def hide(self) -> None:
         self._switch.whichChild = coin.SO_SWITCH_NONE

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
+from ..document import factory
 from . import display, messages
 from .colormap import MAPS
 from .preferences import (
@@ -19,7 +20,14 @@ from .preferences import (
     read_field,
     write_field,
 )
-from .qt import QtGui, translate
+from .qt import Qt, QtGui, translate
+
+STEPS = 200  # of the slider of a slice
+
+
+def _plain(value):
+    """The number of a length, anything else as it is."""
+    return getattr(value, "Value", value)
 
 
 class Settings(QtGui.QScrollArea):
@@ -101,16 +109,39 @@ class Settings(QtGui.QScrollArea):
         legend = QtGui.QHBoxLayout()
         legend.addWidget(self.legend)
         legend.addWidget(self.corner, 1)
-        self.map = QtGui.QCheckBox(translate("Sens", "Expected error over the workspace as points"))
+        self.map = QtGui.QCheckBox(translate("Sens", "Show"))
+        self.map_shows = combo([
+            ("Expected", translate("Sens", "Expected error √E[Y]")),
+            ("Upper estimate", translate("Sens", "Upper estimate √(E[Y] + 2√V(Y))")),
+        ])  # fmt: skip
+        self.map_as = combo([
+            ("Points", translate("Sens", "Points")), ("Slice X", translate("Sens", "Slice at X")),
+            ("Slice Y", translate("Sens", "Slice at Y")), ("Slice Z", translate("Sens", "Slice at Z")),
+        ])  # fmt: skip
+        self.map_slider = QtGui.QSlider(Qt.Horizontal)
+        self.map_slider.setRange(0, STEPS)
+        self.map_slider.setToolTip(translate("Sens", "Moves the slice along its axis"))
+        self.map_slider.valueChanged.connect(self._slid)
+        self.map_slider.sliderReleased.connect(lambda: self._slid(self.map_slider.value()))
+        self.map_at = number_box(-1e5, 1e5, 1, 10, " mm")
+        shows = QtGui.QHBoxLayout()
+        shows.addWidget(self.map)
+        shows.addWidget(self.map_shows, 1)
+        slices = QtGui.QHBoxLayout()
+        slices.addWidget(self.map_as)
+        slices.addWidget(self.map_slider, 1)
+        slices.addWidget(self.map_at)
         rows.addRow(translate("Sens", "Parts show"), self.colour_by)
         rows.addRow(translate("Sens", "Colour map"), self.colour_map)
         rows.addRow(translate("Sens", "Range"), ends)
         rows.addRow(translate("Sens", "Legend"), legend)
-        rows.addRow(translate("Sens", "Error map"), self.map)
+        rows.addRow(translate("Sens", "Error map"), shows)
+        rows.addRow("", slices)
         self._fields = {
             "ColourBy": self.colour_by, "ColourMap": self.colour_map, "AutomaticRange": self.automatic,
             "RangeLower": self.lower, "RangeUpper": self.upper, "ShowLegend": self.legend,
             "LegendCorner": self.corner, "ShowErrorMap": self.map,
+            "ErrorMapShows": self.map_shows, "ErrorMapAs": self.map_as, "ErrorMapAt": self.map_at,
         }  # fmt: skip
         for name, field in self._fields.items():
             if isinstance(field, QtGui.QComboBox):
@@ -148,12 +179,13 @@ class Settings(QtGui.QScrollArea):
             write_field(self.squareness, machine.Squareness)
             self._kinds()
             view = result.ViewObject if result is not None else None
-            known = view is not None and hasattr(view, "ShowErrorMap")
+            known = view is not None and all(hasattr(view, name) for name in self._fields)
             for name, field in self._fields.items():
                 field.setEnabled(known)
                 if known:
-                    write_field(field, getattr(view, name))
+                    write_field(field, _plain(getattr(view, name)))
             if known:
+                self._show_slice(view)
                 shown = display.scale(result)
                 self.lower.setEnabled(not view.AutomaticRange)
                 self.upper.setEnabled(not view.AutomaticRange)
@@ -162,6 +194,31 @@ class Settings(QtGui.QScrollArea):
                     self.upper.setValue(shown.upper)
         finally:
             self._quiet = False
+
+    def _show_slice(self, view) -> None:
+        """The slider for the sliced axis; nothing to slide for points."""
+        sliced = view.ErrorMapAs != "Points"
+        for field in (self.map_slider, self.map_at):
+            field.setEnabled(sliced)
+        if sliced:
+            axis = factory.axis_of(self.machine, view.ErrorMapAs[-1])
+            low, high = axis.TravelLower.Value, axis.TravelUpper.Value
+            self.map_at.setRange(low, high)
+            self.map_at.setValue(view.ErrorMapAt.Value)
+            self.map_slider.setValue(int(round(STEPS * (self.map_at.value() - low) / (high - low))))
+
+    def _slid(self, step: int) -> None:
+        """The slice follows the slider; the document takes the position when the slider is let go."""
+        if self._quiet or self.result is None:
+            return
+        low, high = self.map_at.minimum(), self.map_at.maximum()
+        self._quiet = True
+        self.map_at.setValue(round(low + (high - low) * step / STEPS, 1))
+        self._quiet = False
+        if self.map_slider.isSliderDown():
+            display.show_map(self.machine, self.result, self.map_at.value())
+        else:
+            self._look_changed("ErrorMapAt")
 
     def compute(self) -> None:
         """Write the objective and compute again: one undo step."""
@@ -191,7 +248,7 @@ class Settings(QtGui.QScrollArea):
             return
         result, view = self.result, self.result.ViewObject
         value = read_field(self._fields[name])
-        if getattr(view, name) == value:
+        if _plain(getattr(view, name)) == value:
             return
 
         def change():

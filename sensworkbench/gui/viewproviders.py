@@ -21,6 +21,8 @@ COLOUR_BY = {
     "Variance weighted": "ComponentTotalWeighted",
     "First order": "ComponentFirst",
 }
+MAP_SHOWS = ("Expected", "Upper estimate")
+MAP_FORMS = ("Points", "Slice X", "Slice Y", "Slice Z")
 CORNERS = ("Upper left", "Upper right", "Lower left", "Lower right")
 
 
@@ -170,7 +172,12 @@ class ViewProviderSensitivity(ViewProviderSens):
         add("Float", "RangeUpper", "Value of the highest colour", settings.get("RangeUpper"))
         add("Bool", "ShowLegend", "Show the legend in the view and in saved images", True)
         add("Enumeration", "LegendCorner", "Where the legend stands", settings.get("LegendCorner"), CORNERS)
-        add("Bool", "ShowErrorMap", "Show the volumetric error over the workspace as coloured points", False)
+        add("Bool", "ShowErrorMap", "Show the volumetric error over the workspace", False)
+        add("Enumeration", "ErrorMapShows", "Root of the mean square, or two standard deviations of Y above the mean",
+            MAP_SHOWS[0], MAP_SHOWS)  # fmt: skip
+        add("Enumeration", "ErrorMapAs", "Points over the workspace, or a slice square to one axis", MAP_FORMS[0],
+            MAP_FORMS)  # fmt: skip
+        add("Distance", "ErrorMapAt", "Position of the sliced axis", 0.0)
 
     def attach(self, vobj):
         super().attach(vobj)
@@ -238,6 +245,7 @@ class ViewProviderSensitivity(ViewProviderSens):
 
 VIEW_PROPERTIES = (
     "ColourBy", "ColourMap", "AutomaticRange", "RangeLower", "RangeUpper", "ShowLegend", "LegendCorner", "ShowErrorMap",
+    "ErrorMapShows", "ErrorMapAs", "ErrorMapAt",
 )  # fmt: skip
 _SHOWN = {"Coloured", "Stale", "Bodies", "Variance", "MeanSquare", *COLOUR_BY.values()}
 _VIEW = {*VIEW_PROPERTIES, "Visibility"}

@@ -413,14 +413,74 @@ def test_live_can_be_switched_off(machine, machine_doc):
         settings.put("Live", True)
 
 
-def test_error_map(machine, machine_doc):
+def test_error_map_of_points(machine, machine_doc):
     run("Sens_Sensitivity")
+    undos = machine_doc.UndoCount
     run("Sens_ErrorMap")
-    proxy = factory.sensitivity_of(machine).ViewObject.Proxy
-    assert proxy.map.shown
+    assert machine_doc.UndoCount == undos + 1
+    result = factory.sensitivity_of(machine)
+    drawn = result.ViewObject.Proxy.map
+    assert drawn.shown and drawn.legend.shown
+    text, scale, _ = drawn.legend._content
+    assert text.unit == "µm" and "√E[Y]" in text.title
+    assert scale.lower < 1e3 * np.sqrt(result.MeanSquare) < scale.upper  # the mean lies between the extremes
     screenshot("error-map")
+    run("Sens_Sensitivity")
+    assert drawn.shown  # it survives a computation
     run("Sens_ErrorMap")
-    assert not proxy.map.shown
+    assert not drawn.shown and not drawn.legend.shown
+
+
+def test_error_map_as_a_slice_that_slides(machine, machine_doc):
+    run("Sens_Sensitivity")
+    settings_tab = review.dock().settings
+    review.dock().tabs.setCurrentIndex(3)
+    view = factory.sensitivity_of(machine).ViewObject
+    drawn = view.Proxy.map
+    settings_tab.map.setChecked(True)
+    settings_tab.map_as.setCurrentIndex(settings_tab.map_as.findData("Slice Z"))
+    pump(30)
+    assert view.ErrorMapAs == "Slice Z" and settings_tab.map_slider.isEnabled()
+    expected = drawn._scale.upper
+    settings_tab.map_shows.setCurrentIndex(settings_tab.map_shows.findData("Upper estimate"))
+    pump(30)
+    assert drawn._scale.upper > 1.2 * expected and "2√V(Y)" in drawn.legend._content[0].title
+    undos = machine_doc.UndoCount
+    settings_tab.map_slider.setSliderDown(True)
+    for step in (20, 60, 150):
+        settings_tab.map_slider.setSliderPosition(step)
+    axis = factory.axis_of(machine, "Z")
+    low, high = axis.TravelLower.Value, axis.TravelUpper.Value
+    wanted = low + (high - low) * 150 / 200
+    heights = [p.getValue()[2] for p in drawn._coordinates.point.getValues()]
+    tip = machine.FunctionalPoint.z
+    assert heights == pytest.approx([tip + wanted] * len(heights), abs=0.1)
+    assert machine_doc.UndoCount == undos  # nothing is written while it slides
+    settings_tab.map_slider.setSliderDown(False)
+    pump(30)
+    assert view.ErrorMapAt.Value == pytest.approx(wanted, abs=0.1) and machine_doc.UndoCount == undos + 1
+    screenshot("error-map-slice")
+    settings_tab.map.setChecked(False)
+    assert not drawn.shown
+    review.dock().tabs.setCurrentIndex(0)
+
+
+def test_errors_of_the_map_are_those_of_sampled_machines(machine):
+    from sensworkbench.core.distributions import moments
+    from sensworkbench.core.synthesis import omega
+    from sensworkbench.gui import errormap
+
+    core, objective = extract.core_machine(machine), extract.objective(machine)
+    q = np.array([[100.0, -50.0, 80.0]])
+    labels, columns, _, laws = workspace.error_table(core)
+    random = np.random.default_rng(4)
+    x = np.array([random.uniform(t.lower, t.upper, 200_000) for t in laws])
+    assert all(t.distribution == "uniform" for t in laws) and len(moments(laws).var) == len(labels)
+    y = ((omega(core, columns, q)[0] @ x) ** 2).sum(axis=0)
+    assert errormap.errors(core, objective, q)[0] == pytest.approx(np.sqrt(y.mean()), rel=0.01)
+    assert errormap.errors(core, objective, q, errormap.WORST)[0] == pytest.approx(
+        np.sqrt(y.mean() + 2 * y.std()), rel=0.01
+    )
 
 
 def test_long_work_can_be_cancelled_and_keeps_the_old_result(machine, machine_doc):
