@@ -9,6 +9,31 @@
       <translation>(keine)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>, from repeats {pure} µm</source>
+      <translation>, aus Wiederholungen {pure} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>, stated {stated} µm</source>
+      <translation>, angegeben {stated} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>3-D error of readings that took no part in the fit, µm</source>
+      <translation>Räumlicher Fehler der nicht angepassten Messwerte, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.</source>
+      <translation>95-%-Bereich des Effektivwerts zurückgehaltener Werte: {a} … {b} µm vorher, {c} … {d} µm nachher.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
+      <translation>Eine Maschine, die 3 µm zu weit fährt, hat den Fehler +3 µm und die Kompensation −3 µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Abbe offset / mm</source>
       <translation>Abbe-Abstand / mm</translation>
@@ -27,6 +52,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Add</source>
       <translation>Hinzufügen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Add effects</source>
+      <translation>Effekte hinzufügen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -49,7 +79,7 @@
       <translation>Winkel in neuen Toleranztabellen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Another panel is open. Close it first.</source>
       <translation>Ein anderes Fenster ist offen. Bitte zuerst schließen.</translation>
     </message>
@@ -62,6 +92,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Apply what-if</source>
       <translation>Was-wäre-wenn anwenden</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Arrows {times} times as long as the error</source>
+      <translation>Pfeile {times}-mal so lang wie der Fehler</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -89,6 +124,11 @@
       <translation>Bett</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Before/after</source>
+      <translation>Vorher/nachher</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>Abbrechen</translation>
@@ -99,9 +139,19 @@
       <translation>Abgebrochen; nichts wurde geändert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Chance by noise alone</source>
+      <translation>Zufall durch Rauschen allein</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Change</source>
       <translation>Änderung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Check on the machine</source>
+      <translation>An der Maschine zu prüfen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -112,6 +162,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>Leeren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Coefficient</source>
+      <translation>Koeffizient</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -127,6 +182,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Colours and legend of new results</source>
       <translation>Farben und Legende neuer Ergebnisse</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Column</source>
+      <translation>Spalte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -174,9 +234,24 @@
       <translation>Berechne die Indizes an {n} Positionen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Condition</source>
+      <translation>Kondition</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>Bitte berichtigen oder Abbrechen drücken.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Declared errors corrected</source>
+      <translation>Angesetzte Fehler korrigiert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Declared errors that moved when the effects joined</source>
+      <translation>Angesetzte Fehler, die sich mit den Effekten verschoben haben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -199,6 +274,21 @@
       <translation>Verteilung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Driver</source>
+      <translation>Treiber</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Driver from, to</source>
+      <translation>Treiber von, bis</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
+      <translation>Jeder Punkt: der Wert, den ein Messwert von der Komponente verlangt, wenn alles andere abgezogen ist.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
       <source>Edit axis…</source>
       <translation>Achse bearbeiten…</translation>
@@ -214,6 +304,16 @@
       <translation>Maschine bearbeiten…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Effect</source>
+      <translation>Effekt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Effect on or off</source>
+      <translation>Effekt ein oder aus</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Error</source>
       <translation>Abweichung</translation>
@@ -222,6 +322,16 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Error map</source>
       <translation>Fehlerkarte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Error on readings that took no part in the fit, µm</source>
+      <translation>Fehler der nicht angepassten Messwerte, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Error that remains</source>
+      <translation>Verbleibender Fehler</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -234,14 +344,24 @@
       <translation>Die beiden Grenzen vertauschen.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Expected error over the workspace as points</source>
-      <translation>Erwarteter Fehler im Arbeitsraum als Punkte</translation>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Expected error √(E[Y]² + V(Y))</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √E[Y]</source>
       <translation>Erwarteter Fehler √E[Y]</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Explained</source>
+      <translation>Erklärt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Exponent</source>
+      <translation>Exponent</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
@@ -254,9 +374,24 @@
       <translation>Toleranzen ausgeben</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Export trace report…</source>
+      <translation>Bericht der Ursachensuche exportieren…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>Ausgeben…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Findings</source>
+      <translation>Befunde</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>First</source>
+      <translation>Erster</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -274,9 +409,44 @@
       <translation>Index erster Ordnung: der Anteil an der Varianz, den die Abweichung allein hat</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fit</source>
+      <translation>Anpassung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Fit declared errors…</source>
+      <translation>Angesetzte Fehler anpassen…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Fit of the declared errors alone</source>
+      <translation>Anpassung der angesetzten Fehler allein</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fits the view to the residuals</source>
+      <translation>Passt die Ansicht an die Residuen an</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fitting the declared errors</source>
+      <translation>Angesetzte Fehler werden angepasst</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>Ordner für den Bericht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Folder for the trace</source>
+      <translation>Ordner für die Ursachensuche</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Found again in half-samples</source>
+      <translation>In halben Stichproben wiedergefunden</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -309,6 +479,26 @@
       <translation>Gitter, Positionen je Achse</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Gross outliers</source>
+      <translation>Grobe Ausreißer</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Gross outliers, left out</source>
+      <translation>Grobe Ausreißer, weggelassen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Half-width of the play</source>
+      <translation>Halbe Breite des Spiels</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Hidden by the declared errors in this plan</source>
+      <translation>In diesem Plan von angesetzten Fehlern verdeckt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Home</source>
       <translation>Nullpunkt</translation>
@@ -319,9 +509,24 @@
       <translation>Wie es gezeigt wird</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import readings</source>
+      <translation>Messwerte importieren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import readings first.</source>
+      <translation>Zuerst Messwerte importieren.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Import tolerances</source>
       <translation>Toleranzen einlesen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Import {name}</source>
+      <translation>{name} importieren</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -344,6 +549,11 @@
       <translation>Verfahren…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Jumps at</source>
+      <translation>Sprung bei</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>Größter totaler Index Sᵀ der Komponente</translation>
@@ -352,6 +562,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>Legende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Line</source>
+      <translation>Zeile</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -374,6 +589,11 @@
       <translation>Unten rechts</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Lowest, highest value</source>
+      <translation>Kleinster, größter Wert</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine</source>
       <translation>Maschine</translation>
@@ -389,9 +609,49 @@
       <translation>Magma (schwarz bis blassgelb)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Makes the found effects objects under their bodies, one undo step</source>
+      <translation>Macht die gefundenen Effekte zu Objekten unter ihren Körpern, ein Rückgängig-Schritt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Meaning</source>
       <translation>Bedeutung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Move the scale of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Moves the reference point of an axis, where its scale is read, along X, Y, Z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Moves the slice along its axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Needs</source>
+      <translation>Braucht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Next</source>
+      <translation>Weiter</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No effect is named.</source>
+      <translation>Kein Effekt ist benannt.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No further measurement is needed to tell the findings apart.</source>
+      <translation>Es braucht keine weitere Messung, um die Befunde zu unterscheiden.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -404,14 +664,59 @@
       <translation>Noch kein Ergebnis: &lt;b&gt;Neu berechnen&lt;/b&gt; drücken.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No rival: nothing else that was searched explains as much.</source>
+      <translation>Kein Rivale: Nichts anderes, wonach gesucht wurde, erklärt ebenso viel.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Noise of one reading {noise} µm</source>
+      <translation>Rauschen eines Messwerts {noise} µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Not square as designed: {pairs}</source>
       <translation>Laut Konstruktion nicht rechtwinklig: {pairs}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Not testable: a column is missing</source>
+      <translation>Nicht prüfbar: eine Spalte fehlt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Not told apart by this plan</source>
+      <translation>Von diesem Plan nicht unterschieden</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Not traced yet.</source>
+      <translation>Noch nicht gesucht.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Nothing to explain</source>
+      <translation>Nichts zu erklären</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Nothing was noticed while reading</source>
+      <translation>Beim Lesen fiel nichts auf</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Noticed while reading:</source>
+      <translation>Beim Lesen aufgefallen:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Objective</source>
       <translation>Zielgröße</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/viewproviders.py" />
+      <source>On or off</source>
+      <translation>Ein oder aus</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -454,9 +759,29 @@
       <translation>Über den Arbeitsraum, {counts} Positionen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameter</source>
+      <translation>Parameter</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameters</source>
+      <translation>Parameter</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameters (–: not determined)</source>
+      <translation>Parameter (–: nicht bestimmt)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Park &amp; Yang's values for all errors</source>
       <translation>Werte von Park &amp; Yang für alle Abweichungen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Partly explained</source>
+      <translation>Teilweise erklärt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -474,9 +799,19 @@
       <translation>Je Achse</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Period</source>
+      <translation>Periode</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Picture…</source>
       <translation>Bild…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Points</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -504,6 +839,11 @@
       <translation>Positionen je Achse</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Programmed positions are those of the tool on the workpiece</source>
+      <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Quadrature, positions per axis</source>
       <translation>Quadratur, Positionen je Achse</translation>
@@ -517,6 +857,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Rank</source>
       <translation>Rang</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Readings</source>
+      <translation>Messwerte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -549,9 +894,34 @@
       <translation>Bezug {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Remove effects</source>
+      <translation>Effekte entfernen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>Bericht…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Residual of held-out readings</source>
+      <translation>Residuum zurückgehaltener Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Residuals</source>
+      <translation>Residuen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Residuals as arrows in the workspace, all on one scale</source>
+      <translation>Residuen als Pfeile im Arbeitsraum, alle im selben Maßstab</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Result</source>
+      <translation>Ergebnis</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -564,6 +934,21 @@
       <translation>Durchsprache…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Rival</source>
+      <translation>Rivale</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Save mapping</source>
+      <translation>Zuordnung speichern</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Save mapping…</source>
+      <translation>Zuordnung speichern…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>Bild speichern</translation>
@@ -572,6 +957,21 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>Speichert die 3D-Ansicht mit ihrer Legende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Scatter of one reading, µm</source>
+      <translation>Streuung eines Messwerts, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Searches for an effect that explains what the declared errors leave</source>
+      <translation>Sucht einen Effekt, der erklärt, was die angesetzten Fehler übrig lassen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Searching</source>
+      <translation>Suche läuft</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -609,14 +1009,54 @@
       <translation>Einstellungen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Shape</source>
+      <translation>Form</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Show result…</source>
+      <translation>Ergebnis zeigen…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Signed sum</source>
       <translation>Summe mit Vorzeichen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Significant, but not named</source>
+      <translation>Signifikant, aber nicht benannt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Size</source>
+      <translation>Größe</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at X</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at Y</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at Z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Something is named, but more is left than noise, or its driver was not logged.</source>
+      <translation>Etwas ist benannt, aber es bleibt mehr als Rauschen, oder sein Treiber wurde nicht aufgezeichnet.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -634,9 +1074,19 @@
       <translation>Von vorn</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>State at the start</source>
+      <translation>Zustand am Anfang</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Stopping…</source>
       <translation>Wird angehalten…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Stops; the old result stays</source>
+      <translation>Hält an; das alte Ergebnis bleibt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -664,6 +1114,11 @@
       <translation>Sᵀ dann</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+      <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Take</source>
       <translation>Nehmen</translation>
@@ -674,14 +1129,89 @@
       <translation>Auswahl nehmen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Taken as</source>
+      <translation>Gilt als</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Takes the coordinate system, datum, edge, face or part that is selected</source>
       <translation>Nimmt das gewählte Koordinatensystem, Bezugselement, die Kante, Fläche oder das Teil</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Takes the found effects out of the machine again</source>
+      <translation>Nimmt die gefundenen Effekte wieder aus der Maschine</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Tells apart: {what}</source>
+      <translation>Unterscheidet: {what}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The declared errors account for these readings down to their noise.</source>
+      <translation>Die angesetzten Fehler erklären diese Messwerte bis auf ihr Rauschen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The declared errors leave something over, and no name for it survives the tests.</source>
+      <translation>Die angesetzten Fehler lassen etwas übrig, und kein Name dafür besteht die Prüfungen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The file does not say what its signs mean. Answer the questions, then import.</source>
+      <translation>Die Datei sagt nicht, was ihre Vorzeichen bedeuten. Bitte die Fragen beantworten, dann importieren.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The file says so in line {line}.</source>
+      <translation>Die Datei sagt es in Zeile {line}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The machine has changed since this trace. Trace again.</source>
+      <translation>Die Maschine hat sich seit dieser Suche geändert. Bitte erneut suchen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The named effects account for what the declared errors leave over.</source>
+      <translation>Die benannten Effekte erklären, was die angesetzten Fehler übrig lassen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>The parts selected in the view or the tree become this component</source>
       <translation>Die in Ansicht oder Baum gewählten Teile werden diese Komponente</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The positions are</source>
+      <translation>Die Positionen sind</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The readings are</source>
+      <translation>Die Messwerte sind</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The same for the readings of the fit, µm</source>
+      <translation>Dasselbe für die angepassten Messwerte, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>These readings cannot tell it from its rivals:</source>
+      <translation>Diese Messwerte können ihn nicht von seinen Rivalen unterscheiden:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>They are the motion of</source>
+      <translation>Sie sind die Bewegung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Time constant</source>
+      <translation>Zeitkonstante</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -719,6 +1249,11 @@
       <translation>Totaler Index Sᵀ der Komponente</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Total index Sᵀ with the effects in the machine</source>
+      <translation>Totalindex Sᵀ mit den Effekten in der Maschine</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Total index, largest over the positions</source>
       <translation>Totaler Index, größter über die Positionen</translation>
@@ -737,6 +1272,26 @@
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Total index: its share with all interactions. Bar: Sᵀ; dark inside: S</source>
       <translation>Totaler Index: ihr Anteil mit allen Wechselwirkungen. Balken: Sᵀ; dunkel darin: S</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Trace</source>
+      <translation>Ursache suchen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Trace of {name}</source>
+      <translation>Ursachensuche zu {name}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Trace the readings first.</source>
+      <translation>Zuerst die Ursache der Messwerte suchen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Trace…</source>
+      <translation>Ursache suchen…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -759,7 +1314,17 @@
       <translation>U-förmig</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Uncorrected (set-up aligned)</source>
+      <translation>Unkorrigiert (Aufspannung ausgerichtet)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Unexplained</source>
+      <translation>Ungeklärt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Unit</source>
       <translation>Einheit</translation>
     </message>
@@ -784,6 +1349,16 @@
       <translation>Obere</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Upper estimate |E[Y]| + 2√V(Y)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Upper estimate √(E[Y] + 2√V(Y))</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper left</source>
       <translation>Oben links</translation>
@@ -792,6 +1367,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>Oben rechts</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Usual size</source>
+      <translation>Übliche Größe</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Value</source>
+      <translation>Wert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -814,6 +1399,11 @@
       <translation>Gewichte</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>What each column of the table is:</source>
+      <translation>Was jede Spalte der Tabelle ist:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>What if</source>
       <translation>Was wäre wenn</translation>
@@ -822,6 +1412,51 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>What is judged</source>
       <translation>Was beurteilt wird</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What is left</source>
+      <translation>Was übrig bleibt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What the declared errors leave depends on {columns}.</source>
+      <translation>Was die angesetzten Fehler übrig lassen, hängt ab von {columns}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>What the map shows is chosen in the review, under Settings</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>What the readings mean</source>
+      <translation>Was die Messwerte bedeuten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What to measure next</source>
+      <translation>Was als Nächstes zu messen ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>When a table moves to +X, the tool moves to −X on the workpiece</source>
+      <translation>Fährt ein Tisch nach +X, bewegt sich das Werkzeug am Werkstück nach −X</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Why it carries no name</source>
+      <translation>Warum es keinen Namen trägt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Why it remains</source>
+      <translation>Warum er bleibt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>With the found effects</source>
+      <translation>Mit den gefundenen Effekten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -845,13 +1480,23 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Writes the tolerances and weights to the machine, one undo step</source>
-      <translation>Schreibt Toleranzen und Gewichte in die Maschine, ein Schritt zum Rückgängigmachen</translation>
+      <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Writes these choices to a file for the command line's --mapping</source>
+      <translation>Schreibt diese Angaben in eine Datei für --mapping der Befehlszeile</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Writes tolerances as CSV or JSON</source>
       <translation>Schreibt Toleranzen als CSV oder JSON</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Writes trace.json, report.html and the augmented machine</source>
+      <translation>Schreibt trace.json, report.html und die ergänzte Maschine</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -879,14 +1524,29 @@
       <translation>Z-Schlitten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Zoom</source>
+      <translation>Zoom</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>a quarter</source>
       <translation>ein Viertel</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>after</source>
+      <translation>nachher</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>also turns what the guide carries</source>
       <translation>dreht auch, was die Führung trägt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>approach along {axis}</source>
+      <translation>Anfahrrichtung {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -897,6 +1557,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>as it is</source>
       <translation>wie sie ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>as programmed</source>
+      <translation>wie programmiert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -914,9 +1579,64 @@
       <translation>Bett</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>before</source>
+      <translation>vorher</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>before and after</source>
+      <translation>vorher und nachher</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>compensation values: commanded minus actual</source>
+      <translation>Kompensationswerte: Soll minus Ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>declared</source>
+      <translation>angesetzt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>direction of sensing {axis}</source>
+      <translation>Messrichtung {axis}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>doubled</source>
       <translation>verdoppelt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>driver, as it is</source>
+      <translation>Treiber, unverändert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>effect as fitted</source>
+      <translation>angepasster Effekt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>error along {axis}</source>
+      <translation>Fehler in {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>error of a held-out point, µm</source>
+      <translation>Fehler eines zurückgehaltenen Punkts, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>errors: actual minus commanded</source>
+      <translation>Fehler: Ist minus Soll</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>feed</source>
+      <translation>Vorschub</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -944,6 +1664,11 @@
       <translation>halbiert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>ignored</source>
+      <translation>ignoriert</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>its local X</source>
       <translation>sein lokales X</translation>
@@ -959,9 +1684,24 @@
       <translation>sein lokales Z</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>largest</source>
+      <translation>größter</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>largest component then: {name}, Sᵀ = {value}</source>
       <translation>größte Komponente dann: {name}, Sᵀ = {value}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>load</source>
+      <translation>Last</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>no effect is selected</source>
+      <translation>kein Effekt ist gewählt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -974,14 +1714,79 @@
       <translation>normal (Grenzen ±3σ)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>nothing has been traced yet</source>
+      <translation>noch keine Ursache wurde gesucht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>of the table, X and Y counted its way</source>
+      <translation>des Tischs, X und Y in seiner Richtung gezählt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>off</source>
+      <translation>aus</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>points</source>
+      <translation>Punkte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>position {axis}</source>
+      <translation>Position {axis}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>positioning of {body}</source>
       <translation>Positionierung von {body}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>reading along its direction</source>
+      <translation>Messwert in seiner Richtung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>readings</source>
+      <translation>Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>rivals that these readings cannot tell from it: {n}</source>
+      <translation>Rivalen, die diese Messwerte nicht davon unterscheiden: {n}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>roll of {body}</source>
       <translation>Rollen von {body}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>run</source>
+      <translation>Lauf</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>scale moved</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>scale of {name} moved by {offset} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>slice at {axis} = {position} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>spindle speed</source>
+      <translation>Spindeldrehzahl</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1009,9 +1814,19 @@
       <translation>Rechtwinkligkeit neigt die Richtung (ISO)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>standard uncertainty</source>
+      <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>straightness of {body} along {axis}</source>
       <translation>Geradheit von {body} in {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>temperature</source>
+      <translation>Temperatur</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1034,9 +1849,24 @@
       <translation>das Ergebnis ist veraltet</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>the table relative to the tool</source>
+      <translation>des Tischs gegenüber dem Werkzeug</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>the tool relative to the workpiece</source>
+      <translation>des Werkzeugs gegenüber dem Werkstück</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>the upper limit is below the lower limit</source>
       <translation>die obere Grenze liegt unter der unteren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>there are no readings yet</source>
+      <translation>es gibt noch keine Messwerte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1054,6 +1884,11 @@
       <translation>neigt die Bewegungsrichtung (ISO 230-1)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>time</source>
+      <translation>Zeit</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>to</source>
       <translation>bis</translation>
@@ -1062,6 +1897,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>tool</source>
       <translation>Werkzeug</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>tool offset {axis}</source>
+      <translation>Werkzeugversatz {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -1084,9 +1924,24 @@
       <translation>abgeschnitten normal</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>uncertainty</source>
+      <translation>Unsicherheit</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>uncorrected</source>
+      <translation>unkorrigiert</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>uniform</source>
       <translation>gleichverteilt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>with effects</source>
+      <translation>mit Effekten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1104,6 +1959,36 @@
       <translation>Werkstück, Verschiebung in {axis}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{axis} is in no column; it stood at</source>
+      <translation>{axis} steht in keiner Spalte; sie stand bei</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{do} (predicted difference {size} µm)</source>
+      <translation>{do} (vorhergesagter Unterschied {size} µm)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{driver}, K from 20 °C</source>
+      <translation>{driver}, K ab 20 °C</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>{file}: {rows} readings at {points} places</source>
+      <translation>{file}: {rows} Messwerte an {points} Orten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{found}. Please answer the questions above.</source>
+      <translation>{found}. Bitte die Fragen oben beantworten.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{name}: rms {rms} µm, largest {largest} µm</source>
+      <translation>{name}: Effektivwert {rms} µm, größter {largest} µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>{name}: {low} … {high} mm</source>
       <translation>{name}: {low} … {high} mm</translation>
@@ -1112,6 +1997,54 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>{n} Abweichungen eingelesen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rank} of {columns} are determined</source>
+      <translation>{rank} von {columns} sind bestimmt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rms} µm rms, largest {largest} µm</source>
+      <translation>{rms} µm Effektivwert, größter {largest} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rows} at {points} places</source>
+      <translation>{rows} an {points} Orten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{rows} readings at {points} places</source>
+      <translation>{rows} Messwerte an {points} Orten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{shown} of {all} places</source>
+      <translation>{shown} von {all} Orten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{symbol} of {body}, driven by {driver}: {size} µm rms over the readings</source>
+      <translation>{symbol} von {body}, getrieben von {driver}: {size} µm Effektivwert über die Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>– please answer –</source>
+      <translation>– bitte antworten –</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_AddEffect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Add Effects</source>
+      <translation>Effekte hinzufügen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Adds the found effects to the machine, each under its body</source>
+      <translation>Fügt der Maschine die gefundenen Effekte hinzu, jeden unter seinem Körper</translation>
     </message>
   </context>
   <context>
@@ -1136,8 +2069,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
-      <source>Shows the expected error over the workspace as coloured points, or hides it</source>
-      <translation>Zeigt den erwarteten Fehler im Arbeitsraum als farbige Punkte oder blendet ihn aus</translation>
+      <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>
@@ -1193,6 +2126,32 @@
     </message>
   </context>
   <context>
+    <name>Sens_Fit</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Fit Declared Errors…</source>
+      <translation>Angesetzte Fehler anpassen…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
+      <translation>Passt die angesetzten Fehler an die Messwerte an: was sie erklären und was der Plan nicht unterscheidet</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_ImportReadings</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import Readings…</source>
+      <translation>Messwerte importieren…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe</source>
+      <translation>Liest eine Tabelle gemessener Fehler: Laser, Kreisformtest, Diagonalen, Tracker oder Taster</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Jog</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1245,6 +2204,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_Residuals</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Residuals</source>
+      <translation>Residuen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Shows the residuals before and after as arrows in the workspace, or hides them</source>
+      <translation>Zeigt die Residuen vorher und nachher als Pfeile im Arbeitsraum oder verbirgt sie</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Review</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1271,6 +2243,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_SwitchEffect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Effect On or Off</source>
+      <translation>Effekt ein oder aus</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Switches the selected effect off, or on again</source>
+      <translation>Schaltet den gewählten Effekt aus oder wieder ein</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Tolerances</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1284,11 +2269,42 @@
     </message>
   </context>
   <context>
+    <name>Sens_Trace</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Searches for the effect that explains what the declared errors leave over</source>
+      <translation>Sucht den Effekt, der erklärt, was die angesetzten Fehler übrig lassen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Trace…</source>
+      <translation>Ursache suchen…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_TraceReport</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Export Trace Report…</source>
+      <translation>Bericht der Ursachensuche exportieren…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Writes what was found as HTML and JSON, with the augmented machine</source>
+      <translation>Schreibt das Gefundene als HTML und JSON, mit der ergänzten Maschine</translation>
+    </message>
+  </context>
+  <context>
     <name>Workbench</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Sens Analysis</source>
       <translation>Sens Analyse</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Sens Closed Loop</source>
+      <translation>Sens Ursachensuche</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />

@@ -9,6 +9,31 @@
       <translation>(없음)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>, from repeats {pure} µm</source>
+      <translation>, 반복 측정에서 {pure} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>, stated {stated} µm</source>
+      <translation>, 명시값 {stated} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>3-D error of readings that took no part in the fit, µm</source>
+      <translation>피팅에 쓰지 않은 측정값의 3차원 오차, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.</source>
+      <translation>남겨 둔 측정값 rms의 95 % 구간: 전 {a} … {b} µm, 후 {c} … {d} µm.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
+      <translation>3 µm 더 가는 기계의 오차는 +3 µm, 보정값은 −3 µm입니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Abbe offset / mm</source>
       <translation>아베 오프셋 / mm</translation>
@@ -27,6 +52,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Add</source>
       <translation>추가</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Add effects</source>
+      <translation>효과 추가</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -49,7 +79,7 @@
       <translation>새 공차표의 각도</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Another panel is open. Close it first.</source>
       <translation>다른 패널이 열려 있습니다. 먼저 닫으십시오.</translation>
     </message>
@@ -62,6 +92,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Apply what-if</source>
       <translation>가정 분석 적용</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Arrows {times} times as long as the error</source>
+      <translation>화살표는 오차의 {times}배 길이</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -89,6 +124,11 @@
       <translation>베드</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Before/after</source>
+      <translation>전/후</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>취소</translation>
@@ -99,9 +139,19 @@
       <translation>취소됨; 바뀐 것이 없습니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Chance by noise alone</source>
+      <translation>잡음만으로 나올 확률</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Change</source>
       <translation>변경</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Check on the machine</source>
+      <translation>기계에서 확인할 것</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -112,6 +162,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>비우기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Coefficient</source>
+      <translation>계수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -127,6 +182,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Colours and legend of new results</source>
       <translation>새 결과의 색상과 범례</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Column</source>
+      <translation>열</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -174,9 +234,24 @@
       <translation>{n}개 위치에서 지수를 계산하는 중</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Condition</source>
+      <translation>조건수</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>고치거나 취소를 누르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Declared errors corrected</source>
+      <translation>선언된 오차 보정 후</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Declared errors that moved when the effects joined</source>
+      <translation>효과를 넣을 때 바뀐 선언 오차</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -199,6 +274,21 @@
       <translation>분포</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Driver</source>
+      <translation>구동 변수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Driver from, to</source>
+      <translation>구동 변수 범위</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
+      <translation>각 점: 나머지를 모두 뺀 뒤 측정값이 이 성분에 요구하는 값.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
       <source>Edit axis…</source>
       <translation>축 편집…</translation>
@@ -214,6 +304,16 @@
       <translation>기계 편집…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Effect</source>
+      <translation>효과</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Effect on or off</source>
+      <translation>효과 켜기/끄기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Error</source>
       <translation>오차</translation>
@@ -222,6 +322,16 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Error map</source>
       <translation>오차 지도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Error on readings that took no part in the fit, µm</source>
+      <translation>피팅에 쓰지 않은 측정값의 오차, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Error that remains</source>
+      <translation>남는 오차</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -234,14 +344,24 @@
       <translation>두 한계를 서로 바꾸십시오.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Expected error over the workspace as points</source>
-      <translation>작업 공간의 예상 오차를 점으로</translation>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Expected error √(E[Y]² + V(Y))</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √E[Y]</source>
       <translation>예상 오차 √E[Y]</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Explained</source>
+      <translation>설명됨</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Exponent</source>
+      <translation>지수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
@@ -254,9 +374,24 @@
       <translation>공차 내보내기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Export trace report…</source>
+      <translation>추적 보고서 내보내기…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>내보내기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Findings</source>
+      <translation>발견</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>First</source>
+      <translation>첫 값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -274,9 +409,44 @@
       <translation>1차 지수: 오차가 단독으로 갖는 분산의 비율</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fit</source>
+      <translation>피팅</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Fit declared errors…</source>
+      <translation>선언된 오차 피팅…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Fit of the declared errors alone</source>
+      <translation>선언된 오차만의 피팅</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fits the view to the residuals</source>
+      <translation>잔차에 맞춰 화면을 조정합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Fitting the declared errors</source>
+      <translation>선언된 오차를 피팅하는 중</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>보고서 폴더</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Folder for the trace</source>
+      <translation>추적 결과 폴더</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Found again in half-samples</source>
+      <translation>절반 표본에서 다시 발견</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -309,6 +479,26 @@
       <translation>격자, 축당 위치 수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Gross outliers</source>
+      <translation>큰 이상값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Gross outliers, left out</source>
+      <translation>제외한 큰 이상값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Half-width of the play</source>
+      <translation>유격의 반폭</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Hidden by the declared errors in this plan</source>
+      <translation>이 계획에서 선언된 오차에 가려지는 것</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Home</source>
       <translation>원점</translation>
@@ -319,9 +509,24 @@
       <translation>표시 방법</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import readings</source>
+      <translation>측정값 가져오기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import readings first.</source>
+      <translation>먼저 측정값을 가져오십시오.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Import tolerances</source>
       <translation>공차 가져오기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Import {name}</source>
+      <translation>{name} 가져오기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -344,6 +549,11 @@
       <translation>조그…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Jumps at</source>
+      <translation>도약 지점</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>구성요소의 최대 전체 지수 Sᵀ</translation>
@@ -352,6 +562,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>범례</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Line</source>
+      <translation>줄</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -374,6 +589,11 @@
       <translation>오른쪽 아래</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Lowest, highest value</source>
+      <translation>최솟값, 최댓값</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine</source>
       <translation>기계</translation>
@@ -389,9 +609,49 @@
       <translation>Magma (검정에서 옅은 노랑)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Makes the found effects objects under their bodies, one undo step</source>
+      <translation>발견된 효과를 해당 부분 아래의 객체로 만듭니다(실행 취소 한 단계)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Meaning</source>
       <translation>의미</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Move the scale of</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Moves the reference point of an axis, where its scale is read, along X, Y, Z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Moves the slice along its axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Needs</source>
+      <translation>필요한 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Next</source>
+      <translation>다음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No effect is named.</source>
+      <translation>이름 붙인 효과가 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No further measurement is needed to tell the findings apart.</source>
+      <translation>발견을 구별하기 위한 추가 측정이 필요 없습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -404,14 +664,59 @@
       <translation>아직 결과가 없습니다: &lt;b&gt;다시 계산&lt;/b&gt;을 누르십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>No rival: nothing else that was searched explains as much.</source>
+      <translation>경쟁 후보 없음: 탐색한 다른 어떤 것도 이만큼 설명하지 못합니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Noise of one reading {noise} µm</source>
+      <translation>측정값 하나의 잡음 {noise} µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Not square as designed: {pairs}</source>
       <translation>설계상 직각이 아님: {pairs}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Not testable: a column is missing</source>
+      <translation>검정 불가: 열이 없음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Not told apart by this plan</source>
+      <translation>이 계획으로 구별할 수 없는 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Not traced yet.</source>
+      <translation>아직 추적하지 않았습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Nothing to explain</source>
+      <translation>설명할 것 없음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Nothing was noticed while reading</source>
+      <translation>읽는 동안 특이 사항 없음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Noticed while reading:</source>
+      <translation>읽는 동안 발견한 사항:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Objective</source>
       <translation>목적 함수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/viewproviders.py" />
+      <source>On or off</source>
+      <translation>켜기/끄기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -454,9 +759,29 @@
       <translation>작업 공간 전체, {counts}개 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameter</source>
+      <translation>매개변수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameters</source>
+      <translation>매개변수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Parameters (–: not determined)</source>
+      <translation>매개변수 (–: 결정되지 않음)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Park &amp; Yang's values for all errors</source>
       <translation>모든 오차에 Park &amp; Yang의 값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Partly explained</source>
+      <translation>일부 설명됨</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -474,9 +799,19 @@
       <translation>축당</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Period</source>
+      <translation>주기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Picture…</source>
       <translation>그림…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Points</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -504,6 +839,11 @@
       <translation>축당 위치 수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Programmed positions are those of the tool on the workpiece</source>
+      <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Quadrature, positions per axis</source>
       <translation>구적법, 축당 위치 수</translation>
@@ -517,6 +857,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Rank</source>
       <translation>순위</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Readings</source>
+      <translation>측정값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -549,9 +894,34 @@
       <translation>기준점 {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Remove effects</source>
+      <translation>효과 제거</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>보고서…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Residual of held-out readings</source>
+      <translation>남겨 둔 측정값의 잔차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Residuals</source>
+      <translation>잔차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Residuals as arrows in the workspace, all on one scale</source>
+      <translation>작업 공간의 잔차 화살표, 모두 같은 축척</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Result</source>
+      <translation>결과</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -564,6 +934,21 @@
       <translation>검토…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Rival</source>
+      <translation>경쟁 후보</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Save mapping</source>
+      <translation>열 지정 저장</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Save mapping…</source>
+      <translation>열 지정 저장…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>그림 저장</translation>
@@ -572,6 +957,21 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>범례와 함께 3D 화면을 저장합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Scatter of one reading, µm</source>
+      <translation>측정값 하나의 산포, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Searches for an effect that explains what the declared errors leave</source>
+      <translation>선언된 오차가 남긴 것을 설명하는 효과를 찾습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Searching</source>
+      <translation>탐색 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -609,14 +1009,54 @@
       <translation>설정</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Shape</source>
+      <translation>형태</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>표시</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Show result…</source>
+      <translation>결과 보기…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Signed sum</source>
       <translation>부호 있는 합</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Significant, but not named</source>
+      <translation>유의하지만 이름 붙이지 않음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Size</source>
+      <translation>크기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at X</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at Y</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>Slice at Z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Something is named, but more is left than noise, or its driver was not logged.</source>
+      <translation>일부는 이름이 붙었으나 잡음 이상이 남았거나 구동 변수가 기록되지 않았습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -634,9 +1074,19 @@
       <translation>처음부터</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>State at the start</source>
+      <translation>시작 상태</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Stopping…</source>
       <translation>멈추는 중…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Stops; the old result stays</source>
+      <translation>중지합니다. 이전 결과는 그대로입니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -664,6 +1114,11 @@
       <translation>이후 Sᵀ</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
+      <translation>표 (*.csv *.txt *.tsv);;모든 파일 (*)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Take</source>
       <translation>사용</translation>
@@ -674,14 +1129,89 @@
       <translation>선택 사용</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Taken as</source>
+      <translation>용도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Takes the coordinate system, datum, edge, face or part that is selected</source>
       <translation>선택한 좌표계, 데이텀, 모서리, 면 또는 부품을 사용합니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Takes the found effects out of the machine again</source>
+      <translation>발견된 효과를 기계에서 다시 뺍니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Tells apart: {what}</source>
+      <translation>구별 대상: {what}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The declared errors account for these readings down to their noise.</source>
+      <translation>선언된 오차가 잡음 수준까지 측정값을 설명합니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The declared errors leave something over, and no name for it survives the tests.</source>
+      <translation>선언된 오차로 설명되지 않는 것이 있으나 검정을 통과한 이름이 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The file does not say what its signs mean. Answer the questions, then import.</source>
+      <translation>파일에 부호의 의미가 없습니다. 질문에 답한 뒤 가져오십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The file says so in line {line}.</source>
+      <translation>파일 {line}번째 줄에 적혀 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The machine has changed since this trace. Trace again.</source>
+      <translation>추적 뒤 기계가 바뀌었습니다. 다시 추적하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The named effects account for what the declared errors leave over.</source>
+      <translation>이름 붙인 효과가 선언된 오차가 남긴 것을 설명합니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>The parts selected in the view or the tree become this component</source>
       <translation>화면이나 트리에서 선택한 부품이 이 구성요소가 됩니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The positions are</source>
+      <translation>위치는</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>The readings are</source>
+      <translation>측정값은</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>The same for the readings of the fit, µm</source>
+      <translation>피팅에 쓴 측정값의 오차, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>These readings cannot tell it from its rivals:</source>
+      <translation>이 측정값으로는 다음 후보와 구별할 수 없습니다:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>They are the motion of</source>
+      <translation>측정한 운동은</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Time constant</source>
+      <translation>시간 상수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -719,6 +1249,11 @@
       <translation>구성요소의 전체 지수 Sᵀ</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Total index Sᵀ with the effects in the machine</source>
+      <translation>효과를 포함한 기계의 전체 지수 Sᵀ</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Total index, largest over the positions</source>
       <translation>전체 지수, 위치 중 최대</translation>
@@ -737,6 +1272,26 @@
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Total index: its share with all interactions. Bar: Sᵀ; dark inside: S</source>
       <translation>전체 지수: 모든 상호작용을 포함한 비율. 막대: Sᵀ, 안쪽 어두운 부분: S</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Trace</source>
+      <translation>추적</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Trace of {name}</source>
+      <translation>{name} 추적</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Trace the readings first.</source>
+      <translation>먼저 측정값을 추적하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>Trace…</source>
+      <translation>추적…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -759,7 +1314,17 @@
       <translation>U자형</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Uncorrected (set-up aligned)</source>
+      <translation>보정 전(설치 정렬됨)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Unexplained</source>
+      <translation>설명되지 않음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Unit</source>
       <translation>단위</translation>
     </message>
@@ -784,6 +1349,16 @@
       <translation>상한</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Upper estimate |E[Y]| + 2√V(Y)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>Upper estimate √(E[Y] + 2√V(Y))</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper left</source>
       <translation>왼쪽 위</translation>
@@ -792,6 +1367,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>오른쪽 위</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Usual size</source>
+      <translation>일반적인 크기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Value</source>
+      <translation>값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -814,6 +1399,11 @@
       <translation>가중치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>What each column of the table is:</source>
+      <translation>표의 각 열이 나타내는 것:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>What if</source>
       <translation>가정 분석</translation>
@@ -822,6 +1412,51 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>What is judged</source>
       <translation>평가 대상</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What is left</source>
+      <translation>남은 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What the declared errors leave depends on {columns}.</source>
+      <translation>선언된 오차가 남긴 것은 {columns}에 의존합니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>What the map shows is chosen in the review, under Settings</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>What the readings mean</source>
+      <translation>측정값의 의미</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>What to measure next</source>
+      <translation>다음에 측정할 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>When a table moves to +X, the tool moves to −X on the workpiece</source>
+      <translation>테이블이 +X로 가면 공구는 공작물에서 −X로 움직입니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Why it carries no name</source>
+      <translation>이름을 붙이지 않은 이유</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>Why it remains</source>
+      <translation>남는 이유</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>With the found effects</source>
+      <translation>발견된 효과 포함</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -845,13 +1480,23 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Writes the tolerances and weights to the machine, one undo step</source>
-      <translation>공차와 가중치를 기계에 기록합니다 (실행 취소 한 단계)</translation>
+      <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Writes these choices to a file for the command line's --mapping</source>
+      <translation>명령줄 --mapping에 쓸 파일로 저장합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Writes tolerances as CSV or JSON</source>
       <translation>공차를 CSV나 JSON으로 씁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Writes trace.json, report.html and the augmented machine</source>
+      <translation>trace.json, report.html과 확장된 기계를 저장합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -879,14 +1524,29 @@
       <translation>Z 이송체</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>Zoom</source>
+      <translation>확대</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>a quarter</source>
       <translation>4분의 1</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>after</source>
+      <translation>후</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>also turns what the guide carries</source>
       <translation>안내면이 나르는 것도 회전시킴</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>approach along {axis}</source>
+      <translation>{axis} 접근 방향</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -897,6 +1557,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>as it is</source>
       <translation>그대로</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>as programmed</source>
+      <translation>프로그램된 값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -914,9 +1579,64 @@
       <translation>베드</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>before</source>
+      <translation>전</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>before and after</source>
+      <translation>전과 후</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>compensation values: commanded minus actual</source>
+      <translation>보정값: 지령값 − 실제값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>declared</source>
+      <translation>선언 오차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>direction of sensing {axis}</source>
+      <translation>측정 방향 {axis}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>doubled</source>
       <translation>두 배</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>driver, as it is</source>
+      <translation>구동 변수(그대로)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>effect as fitted</source>
+      <translation>피팅된 효과</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>error along {axis}</source>
+      <translation>{axis} 방향 오차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>error of a held-out point, µm</source>
+      <translation>남겨 둔 점의 오차, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>errors: actual minus commanded</source>
+      <translation>오차: 실제값 − 지령값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>feed</source>
+      <translation>이송 속도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -944,6 +1664,11 @@
       <translation>절반</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>ignored</source>
+      <translation>무시</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>its local X</source>
       <translation>로컬 X</translation>
@@ -959,9 +1684,24 @@
       <translation>로컬 Z</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>largest</source>
+      <translation>최대</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>largest component then: {name}, Sᵀ = {value}</source>
       <translation>그때 가장 큰 구성요소: {name}, Sᵀ = {value}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>load</source>
+      <translation>하중</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>no effect is selected</source>
+      <translation>선택된 효과가 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -974,14 +1714,79 @@
       <translation>정규 (한계 ±3σ)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>nothing has been traced yet</source>
+      <translation>아직 추적한 것이 없습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>of the table, X and Y counted its way</source>
+      <translation>테이블 기준(X, Y를 테이블 방향으로)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>off</source>
+      <translation>끄기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>points</source>
+      <translation>점</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>position {axis}</source>
+      <translation>{axis} 위치</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>positioning of {body}</source>
       <translation>{body}의 위치 결정</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>reading along its direction</source>
+      <translation>측정 방향의 값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>readings</source>
+      <translation>측정값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>rivals that these readings cannot tell from it: {n}</source>
+      <translation>이 측정값으로 구별할 수 없는 경쟁 후보: {n}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>roll of {body}</source>
       <translation>{body}의 롤</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>run</source>
+      <translation>회차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>scale moved</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>scale of {name} moved by {offset} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/errormap.py" />
+      <source>slice at {axis} = {position} mm</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>spindle speed</source>
+      <translation>스핀들 속도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1009,9 +1814,19 @@
       <translation>직각도는 방향만 기울임 (ISO)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>standard uncertainty</source>
+      <translation>표준 불확도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>straightness of {body} along {axis}</source>
       <translation>{body}의 {axis} 방향 진직도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>temperature</source>
+      <translation>온도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1034,9 +1849,24 @@
       <translation>결과가 오래되었습니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>the table relative to the tool</source>
+      <translation>공구에 대한 테이블</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>the tool relative to the workpiece</source>
+      <translation>공작물에 대한 공구</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>the upper limit is below the lower limit</source>
       <translation>상한이 하한보다 작습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>there are no readings yet</source>
+      <translation>아직 측정값이 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1054,6 +1884,11 @@
       <translation>운동 방향만 기울임 (ISO 230-1)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>time</source>
+      <translation>시간</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>to</source>
       <translation>까지</translation>
@@ -1062,6 +1897,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>tool</source>
       <translation>공구</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>tool offset {axis}</source>
+      <translation>공구 오프셋 {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -1084,9 +1924,24 @@
       <translation>절단 정규</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>uncertainty</source>
+      <translation>불확도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>uncorrected</source>
+      <translation>보정 전</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>uniform</source>
       <translation>균등</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>with effects</source>
+      <translation>효과 포함</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1104,6 +1959,36 @@
       <translation>공작물, {axis} 방향 이동</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{axis} is in no column; it stood at</source>
+      <translation>{axis} 열이 없음. 고정 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{do} (predicted difference {size} µm)</source>
+      <translation>{do} (예측 차이 {size} µm)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{driver}, K from 20 °C</source>
+      <translation>{driver}, 20 °C 기준 K</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>{file}: {rows} readings at {points} places</source>
+      <translation>{file}: {points}개 위치의 측정값 {rows}개</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{found}. Please answer the questions above.</source>
+      <translation>{found}. 위 질문에 답하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{name}: rms {rms} µm, largest {largest} µm</source>
+      <translation>{name}: rms {rms} µm, 최대 {largest} µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>{name}: {low} … {high} mm</source>
       <translation>{name}: {low} … {high} mm</translation>
@@ -1112,6 +1997,54 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>오차 {n}개를 읽었습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rank} of {columns} are determined</source>
+      <translation>{columns}개 중 {rank}개 결정됨</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rms} µm rms, largest {largest} µm</source>
+      <translation>rms {rms} µm, 최대 {largest} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{rows} at {points} places</source>
+      <translation>{points}개 위치에서 {rows}개</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>{rows} readings at {points} places</source>
+      <translation>{points}개 위치의 측정값 {rows}개</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{shown} of {all} places</source>
+      <translation>{all}개 위치 중 {shown}개</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <source>{symbol} of {body}, driven by {driver}: {size} µm rms over the readings</source>
+      <translation>{body}의 {symbol}, 구동 변수 {driver}: 측정값 전체에서 rms {size} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>– please answer –</source>
+      <translation>– 답을 고르십시오 –</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_AddEffect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Add Effects</source>
+      <translation>효과 추가</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Adds the found effects to the machine, each under its body</source>
+      <translation>발견된 효과를 각 부분 아래에 추가합니다</translation>
     </message>
   </context>
   <context>
@@ -1136,8 +2069,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
-      <source>Shows the expected error over the workspace as coloured points, or hides it</source>
-      <translation>작업 공간의 예상 오차를 색 점으로 보이거나 숨깁니다</translation>
+      <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>
@@ -1193,6 +2126,32 @@
     </message>
   </context>
   <context>
+    <name>Sens_Fit</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Fit Declared Errors…</source>
+      <translation>선언된 오차 피팅…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
+      <translation>선언된 오차를 측정값에 피팅하여 설명되는 것과 구별할 수 없는 것을 보입니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_ImportReadings</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Import Readings…</source>
+      <translation>측정값 가져오기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe</source>
+      <translation>측정 오차 표를 읽습니다: 레이저, 볼바, 대각선, 트래커, 프로브</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Jog</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1245,6 +2204,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_Residuals</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Residuals</source>
+      <translation>잔차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Shows the residuals before and after as arrows in the workspace, or hides them</source>
+      <translation>전후 잔차를 작업 공간에 화살표로 보이거나 숨깁니다</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Review</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1271,6 +2243,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_SwitchEffect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Effect On or Off</source>
+      <translation>효과 켜기/끄기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Switches the selected effect off, or on again</source>
+      <translation>선택한 효과를 끄거나 다시 켭니다</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Tolerances</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -1284,11 +2269,42 @@
     </message>
   </context>
   <context>
+    <name>Sens_Trace</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Searches for the effect that explains what the declared errors leave over</source>
+      <translation>선언된 오차가 남긴 것을 설명하는 효과를 찾습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Trace…</source>
+      <translation>추적…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_TraceReport</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Export Trace Report…</source>
+      <translation>추적 보고서 내보내기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Writes what was found as HTML and JSON, with the augmented machine</source>
+      <translation>발견한 것을 HTML과 JSON으로, 확장된 기계와 함께 저장합니다</translation>
+    </message>
+  </context>
+  <context>
     <name>Workbench</name>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Sens Analysis</source>
       <translation>Sens 해석</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Sens Closed Loop</source>
+      <translation>Sens 폐루프</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
