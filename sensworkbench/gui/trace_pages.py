@@ -204,7 +204,7 @@ def _finding_sentence(e, machine) -> str:
     words = f"{what}; {parameter_words(value)}" if value else what
     count = len(e["rivals"])
     if count:
-        words += "; " + translate("Sens", "{n} rival(s) cannot be told from it").format(n=count)
+        words += "; " + translate("Sens", "rivals that these readings cannot tell from it: {n}").format(n=count)
     return words + "."
 
 
@@ -381,7 +381,12 @@ def fit_page(fit):
         noise = ", ".join(f"{'' if k == '*' else k + ' '}{um(v)}" for k, v in fit["noise_um"].items())
         pairs = [
             (translate("Sens", "Readings"), translate("Sens", "{rows} at {points} places").format(**fit)),
-            (translate("Sens", "Error that remains"), f"{um(rms['rms_um'])} µm rms, {um(rms['max_um'])} µm"),
+            (
+                translate("Sens", "Error that remains"),
+                translate("Sens", "{rms} µm rms, largest {largest} µm").format(
+                    rms=um(rms["rms_um"]), largest=um(rms["max_um"])
+                ),
+            ),
             (translate("Sens", "Scatter of one reading, µm"), noise),
             (
                 translate("Sens", "Parameters"),

@@ -211,6 +211,10 @@ def test_the_pages_say_what_was_found(machine, traced, tmp_path, monkeypatch):
         panel.tabs.setCurrentWidget(panel.pages[name])
         pump(60)
         screenshot(f"trace-{name.lower()}")
+        bar = panel.pages[name].verticalScrollBar()
+        if bar.maximum() > 0:
+            bar.setValue(bar.maximum())
+            screenshot(f"trace-{name.lower()}-end")
     assert "EAZ" in text(panel, "Findings") and "µrad/K" in text(panel, "Findings")
     assert "p = " in text(panel, "Findings") and "half-samples" in text(panel, "Findings")
     assert "took no part in the fit" in text(panel, "BeforeAfter")
