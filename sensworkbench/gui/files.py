@@ -17,3 +17,34 @@ def icon_path(name: str) -> str:
 
 def translations() -> str:
     return os.path.join(RESOURCES, "translations")
+
+
+def tree_icon(name: str) -> str:
+    """What a view provider's getIcon returns: the icon's file, or its registered name where Qt cannot read SVG files.
+
+    FreeCAD's tree loads icons through Qt's image plugins, and some Qt 6 installations lack the one for SVG; FreeCAD's
+    own reader, which the toolbars use, is always there.
+    """
+    from .qt import QtCore, QtGui
+
+    path = icon_path(name)
+    if any(bytes(f.data() if hasattr(f, "data") else f) == b"svg" for f in QtGui.QImageReader.supportedImageFormats()):
+        return path
+    import FreeCADGui as Gui
+
+    key = f"SensTree_{name}"
+    if key not in _registered:
+        icon = Gui.getIcon(path) if hasattr(Gui, "getIcon") else None
+        if icon is None or icon.isNull():
+            return path
+        data = QtCore.QByteArray()
+        buffer = QtCore.QBuffer(data)
+        buffer.open(QtCore.QIODevice.WriteOnly)
+        icon.pixmap(64, 64).save(buffer, "PNG")
+        buffer.close()
+        Gui.addIcon(key, bytes(data.data()), "PNG")
+        _registered.add(key)
+    return key
+
+
+_registered: set[str] = set()

@@ -122,6 +122,7 @@ def number_box(low: float, high: float, decimals: int = 3, step: float = 0.05, s
     box.setSingleStep(step)
     box.setSuffix(suffix)
     box.setAlignment(Qt.AlignRight)
+    box.setMinimumWidth(64)  # Qt would make room for the longest possible number
     return box
 
 

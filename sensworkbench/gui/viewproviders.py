@@ -12,7 +12,7 @@ import FreeCAD as App
 from ..document.base import kind_of
 from . import settings
 from .colormap import MAPS
-from .files import icon_path
+from .files import icon_path, tree_icon
 from .qt import QtGui, later, translate
 
 COLOUR_BY = {
@@ -46,7 +46,7 @@ class ViewProviderSens:
         return App.getDocument(document).getObject(name)
 
     def getIcon(self):
-        return icon_path(self.icon)
+        return tree_icon(self.icon)
 
     def menu(self) -> list[tuple[str, str]]:
         """(text, command) of the context menu."""

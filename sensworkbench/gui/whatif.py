@@ -105,7 +105,7 @@ class WhatIf(QtGui.QWidget):
         for name, box in zip(AXES, self.shift):
             box.setPrefix(f"{name.lower()} ")
             box.setToolTip(tip)
-            box.setMinimumWidth(72)
+            box.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
             box.setKeyboardTracking(False)
             box.valueChanged.connect(self._shifted)
             row.addWidget(box, 1)
