@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""An installation as a user has it: a clone in the Mod folder, FreeCAD started, the workbench there, a machine there."""
+"""An installation as a user has it: a clone in the Mod folder, FreeCAD started, the workbench there, a machine."""
 
 from __future__ import annotations
 

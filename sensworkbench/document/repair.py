@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wrong with the objects of a document, and mending what can be mended without guessing.
+
+An object that was saved where the add-on was missing has lost its Python class but kept its data; lists and settings
+may have been edited or cut off.  `examine` only looks; `repair` mends and says what is left for the user to do.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+
+from ..core.errors import AXES, component
+from ..core.refusal import Refused
+from . import closed_loop, objects, tables
+from .base import SensObject, alive, dress, kind_of, members, put
+from .factory import BODY_LABELS, body_of, machines, owner_machine, tolerances_of
+from .paths import place, places
+from .refresh import refresh
+
+CLASSES = {
+    c.kind: c
+    for module in (objects, closed_loop)
+    for c in vars(module).values()
+    if isinstance(c, type) and issubclass(c, SensObject) and c.kind
+}
+RESULT_LISTS = (
+    ("Symbols", "Owners", "First", "Total", "TotalMax", "FirstWeighted", "TotalWeighted", "Lower", "Upper", "Units",
+     "Distributions"),
+    ("Bodies", "ComponentFirst", "ComponentTotal", "ComponentTotalMax", "ComponentTotalWeighted"),
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that is wrong: the object, what, whether `repair` mends it, and what it does or the user has to do."""
+
+    obj: object
+    what: str
+    mendable: bool
+    do: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.obj.Label}: {self.what}. {self.do}"
+
+
+def examine(doc) -> list[Finding]:
+    """All that is wrong with our objects in a document; nothing is changed."""
+    return [finding for obj in doc.Objects if _ours(obj) for finding in _examine(obj)]
+
+
+def repair(doc) -> list[Finding]:
+    """Mend what can be mended; returns what was found (see `Finding.mendable`).  Opens no transaction.
+
+    Values that are there are kept; properties that are missing take their defaults; rows of the tolerance table that
+    are not whole take the paper's values; results that are not whole are marked stale.
+    """
+    found = examine(doc)
+    for finding in found:
+        if finding.mendable:
+            _mend(finding.obj)
+    for machine in machines(doc):
+        if tolerances_of(machine) is None:
+            tables.write_tolerances(machine, {})
+        refresh(machine)
+    doc.recompute()
+    return found
+
+
+def _ours(obj) -> bool:
+    return getattr(obj, "SensType", "") in CLASSES or isinstance(getattr(obj, "Proxy", None), SensObject)
+
+
+def _kind(obj) -> str:
+    return getattr(obj, "SensType", "") or obj.Proxy.kind
+
+
+# -- looking ---------------------------------------------------------------------------------------------------------
+def _examine(obj):
+    cls = CLASSES[_kind(obj)]
+    if not alive(obj):
+        yield Finding(obj, "it was saved without Sens Workbench and does nothing", True, "Its data are used again.")
+    elif obj.Proxy.kind != cls.kind:
+        yield Finding(obj, f"it is called {cls.kind} but is a {obj.Proxy.kind}", False, "Delete it, make it again.")
+        return
+    missing = [p.name for p in cls.properties if not hasattr(obj, p.name)]
+    if missing or kind_of(obj) == "":
+        names = ", ".join(missing) or "its kind"
+        yield Finding(obj, f"it lacks {names}", True, "The defaults are used.")
+    for p in cls.properties:
+        if p.name not in missing and obj.getTypeIdOfProperty(p.name) != f"App::Property{p.kind}":
+            was = obj.getTypeIdOfProperty(p.name).replace("App::Property", "")
+            yield Finding(
+                obj, f"{p.name} is a {was} instead of a {p.kind}", False, "Remove that property, then repair again."
+            )
+    look = {"Machine": _machine, "Axis": _axis, "Body": _body, "Tolerances": _table, "Sensitivity": _result,
+            "Effect": _effect}.get(cls.kind)  # fmt: skip
+    if look is not None and not missing:
+        yield from look(obj)
+
+
+def _machine(obj):
+    if tolerances_of(obj) is None:
+        yield Finding(obj, "it has no tolerance table", True, "One with the paper's values is made.")
+    for name in (*AXES, *BODY_LABELS):
+        same = [o for kind in ("Axis", "Body") for o in members(obj, kind) if getattr(o, kind, "") == name]
+        if len(same) > 1:
+            yield Finding(same[-1], f"{name} exists {len(same)} times in {obj.Label!r}", False, "Delete all but one.")
+    for name in ("Fitted", "Extra"):
+        yield from _json(obj, name)
+    if len(obj.HomeObjects) != len(obj.HomePlacements):
+        yield Finding(obj, "where its parts stand at home is not whole", True, "It counts from where they stand now.")
+    yield from _links(obj, "Bed", obj.Bed)
+    if obj.ToolPoint:
+        yield from _links(obj, "ToolPoint", [obj.ToolPoint])
+    else:
+        yield Finding(obj, "its tool point is missing", False, "Choose a point at the tool's tip.")
+
+
+def _axis(obj):
+    if owner_machine(obj) is None:
+        yield Finding(obj, "it belongs to no machine", False, "Drag it into a machine, or delete it.")
+    if not places(obj.Parts):
+        yield Finding(obj, "it has no carriage any more", False, "Choose the parts that it moves.")
+    yield from _sources(obj, "DirectionSource", "ReferenceSource")
+
+
+def _body(obj):
+    if owner_machine(obj) is None:
+        yield Finding(obj, "it belongs to no machine", False, "Drag it into a machine, or delete it.")
+    yield from _sources(obj, "ReferenceSource")
+
+
+def _sources(obj, *names):
+    yield from _links(obj, "Parts", obj.Parts)
+    for name in names:
+        if getattr(obj, name):
+            yield from _links(obj, name, [getattr(obj, name)])
+
+
+def _links(obj, name, links):
+    for link in links:
+        try:
+            found = [place(link)] if name != "Parts" and name != "Bed" else places([link])
+            for where in found:
+                where.chain  # noqa: B018 - refuses a dead path
+                if where.element:
+                    where.shape()
+        except Refused as error:
+            yield Finding(obj, f"{name}: {error.what}", False, error.do)
+
+
+def _table(obj):
+    columns = [list(getattr(obj, name)) for name in tables.COLUMNS]
+    if len({len(c) for c in columns}) > 1:
+        yield Finding(obj, "its lists differ in length", True, "Rows that are not whole take the paper's values.")
+    for symbol in obj.Symbols:
+        try:
+            component(symbol)
+        except Refused as error:
+            yield Finding(obj, error.what, True, "That row is left out.")
+
+
+def _result(obj):
+    for names in RESULT_LISTS:
+        if len({len(getattr(obj, name)) for name in names}) > 1:
+            yield Finding(obj, "its lists differ in length", True, "It is marked as out of date: compute it again.")
+
+
+def _effect(obj):
+    yield from _json(obj, "Parameters")
+    try:
+        component(obj.Component)
+    except Refused as error:
+        yield Finding(obj, error.what, False, error.do)
+
+
+def _json(obj, name):
+    text = getattr(obj, name)
+    if text:
+        try:
+            json.loads(text)
+        except ValueError:
+            yield Finding(obj, f"{name} holds no JSON", False, "Fit or import it again, or clear it.")
+
+
+# -- mending ---------------------------------------------------------------------------------------------------------
+def _mend(obj) -> None:
+    cls = CLASSES[_kind(obj)]
+    if not alive(obj):
+        proxy = cls.__new__(cls)
+        obj.Proxy = proxy
+    obj.Proxy.onDocumentRestored(obj)
+    if obj.SensType != cls.kind:
+        obj.SensType = cls.kind
+    dress(obj)
+    if cls.kind == "Tolerances":
+        _mend_table(obj)
+    elif cls.kind == "Sensitivity" and any(len({len(getattr(obj, n)) for n in names}) > 1 for names in RESULT_LISTS):
+        for names in RESULT_LISTS:
+            for name in names:
+                put(obj, name, [])
+        put(obj, "Fingerprint", "")
+        put(obj, "Stale", True)
+    elif cls.kind == "Machine" and len(obj.HomeObjects) != len(obj.HomePlacements):
+        obj.HomeObjects, obj.HomePlacements = [], []
+        for name in AXES:
+            axis = body_of(obj, name)
+            if axis is not None:
+                axis.StandsAt = 0.0
+                axis.Position = 0.0
+
+
+def _mend_table(obj) -> None:
+    rows = []
+    for row in zip(*[list(getattr(obj, name)) for name in tables.COLUMNS]):
+        try:
+            component(row[0])
+        except Refused:
+            continue
+        rows.append(row)
+    for k, name in enumerate(tables.COLUMNS):
+        put(obj, name, [row[k] for row in rows])
+    machine = owner_machine(obj)
+    if machine is not None:
+        tables.write_tolerances(machine, tables.read_tolerances(machine))
