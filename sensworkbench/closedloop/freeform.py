@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .bank import useful_columns
+from .bank import log_tail, useful_columns
 from .scan import Rows
 
 DEGREE = 4
@@ -82,6 +82,14 @@ def normal_score(gain: float, dims: int) -> float:
         return 0.0
     spread = 2 / (9 * dims)
     return ((gain / dims) ** (1 / 3) - (1 - spread)) / spread**0.5
+
+
+def normal_tail(gain: float, dims: int) -> float:
+    """-log10 of the chi-square tail on `dims` degrees of freedom."""
+    if dims == 2:
+        return float(log_tail(np.array(gain), 2))
+    z = max(normal_score(gain, dims), 0.0)
+    return float(log_tail(np.array(z * z), 1))
 
 
 @dataclass(frozen=True)

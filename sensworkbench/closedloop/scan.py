@@ -31,6 +31,17 @@ class Rows:
     def gather(self, x) -> np.ndarray:
         return np.add.reduceat(x, self.start, axis=0)
 
+    def thinned(self, points) -> Rows:
+        """The rows of some points (sorted indices) alone, with their own orthonormal basis."""
+        size = np.diff(np.r_[self.start, len(self.residual)])
+        keep = np.zeros(len(self.start), dtype=bool)
+        keep[points] = True
+        mask = np.repeat(keep, size)
+        q, r = np.linalg.qr(self.q[mask])
+        solid = np.abs(np.diag(r)) > 1e-9
+        start = np.r_[0, np.cumsum(size[keep])[:-1]]
+        return Rows(self.lever[mask], self.residual[mask], start, q[:, solid])
+
     def per_point(self, component: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(basis (P, m), squares (P,), residual (P,)) of one component, summed over each point's rows; kept."""
         if component not in self.kept:
@@ -60,8 +71,11 @@ class Scores:
 class Scanner:
     """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
 
-    def __init__(self, rows: Rows, shapes: list[Shape], columns, places=None, dtype=np.float64):
-        """places : component numbers to score (default all); components that move alike need one number only."""
+    def __init__(self, rows: Rows, shapes: list[Shape], columns, places=None, points=None):
+        """places : component numbers to score (default all); components that move alike need one number only.
+
+        points : the points (of `columns`) that `rows` holds, where that is not all of them.
+        """
         self.rows, self.shapes = rows, shapes
         self.places = np.arange(rows.lever.shape[1]) if places is None else np.asarray(places)
         self.lever = rows.lever if places is None else np.ascontiguousarray(rows.lever[:, self.places])
@@ -69,11 +83,12 @@ class Scanner:
         vectors, owner = [], []
         for k, shape in enumerate(shapes):
             v = shape.vectors(columns)
+            v = v if points is None else v[points]
             vectors.append(v)
             owner += [k] * v.shape[1]
         v = np.concatenate(vectors, axis=1).T if vectors else np.zeros((0, len(rows.start)))
         scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
-        self.v = np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0), dtype=dtype)
+        self.v = np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0))
         self.first = np.cumsum(np.r_[0, self.width[:-1]]) if len(shapes) else np.zeros(0, int)
         self._denominators()
 

@@ -169,9 +169,9 @@ def _smooth(tracer: Tracer, model, rest: Remainder) -> Candidate | None:
     found = rest.structure
     for _ in range(2):
         full = tracer.fit_with([*model, surface_candidate(found)])
-        rows = tracer.rows_with(full, model)
-        found = sharpen(rows, tracer.readings.columns, found)
-    return surface_candidate(separable(rows, tracer.readings.columns, found) or found)
+        rows = tracer.scanned(tracer.rows_with(full, model))
+        found = sharpen(rows, tracer.scan_readings.columns, found)
+    return surface_candidate(separable(rows, tracer.scan_readings.columns, found) or found)
 
 
 def _unlogged(tracer: Tracer, model) -> Unlogged | None:

@@ -20,7 +20,7 @@ from . import evidence
 from .bank import Shape, bank, log_tail, useful_columns
 from .design import ALL_SYMBOLS, Design, alike, design
 from .fit import Fit, basis, fit
-from .freeform import FreeScan, normal_score
+from .freeform import FreeScan, normal_tail
 from .naming import beyond, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
@@ -35,6 +35,7 @@ SHORT_BLOCKS, LONG_BLOCKS = 30, 10
 COLOURED = 0.3  # correlation of successive residuals from which the noise is taken to remember
 CLASS = 25.0  # in chi-square: within reach of a held-out comparison
 MOST_EFFECTS = 4
+MOST_SCANNED = 4000  # points: more are thinned for the scan; every fit takes all
 LARGEST_UM = 500.0  # a plausible effect is smaller
 DETECTABLE = 6.0  # nats of evidence: less is no structure
 CERTAIN = 25.0  # nats: beyond the choice among some thousand surfaces by far
@@ -82,6 +83,11 @@ class Tracer:
         self.groups = alike(self.design.lever)
         self.places = [g[0] for g in self.groups]
         self.start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
+        self.thin = None  # the points that a scan looks at, where there are more than it needs
+        if readings.points > MOST_SCANNED:
+            pick = np.random.default_rng(seed).choice(readings.points, MOST_SCANNED, replace=False)
+            self.thin = np.sort(pick)
+        self.scan_readings = readings if self.thin is None else readings.select(self.thin)
         self.colour = 0.0
         self._blocks = {n: evidence.blocks(readings, n) for n in (SHORT_BLOCKS, LONG_BLOCKS)}
         self._signs = {n: evidence.flips(b[readings.point], permutations, seed) for n, b in self._blocks.items()}
@@ -148,8 +154,15 @@ class Tracer:
         y = self.readings.value * fitted.weight
         return Rows(self.design.lever * fitted.weight[:, None], y - b.q @ (b.q.T @ y), self.start, b.q)
 
+    def scanned(self, rows: Rows) -> Rows:
+        return rows if self.thin is None else rows.thinned(self.thin)
+
+    @property
+    def scan_signs(self) -> np.ndarray:
+        return self.signs if self.thin is None else self.signs[:, np.isin(self.readings.point, self.thin)]
+
     def scanner(self, rows: Rows) -> Scanner:
-        return Scanner(rows, self.bank, self.readings.columns, self.places)
+        return Scanner(self.scanned(rows), self.bank, self.readings.columns, self.places, self.thin)
 
     def grams(self, fitted: Fit, others, candidates):
         """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate)."""
@@ -179,7 +192,7 @@ class Tracer:
             self.rows_with(full, others), best.index, vectors_of(best.shape, self.readings.columns)
         )
         after = self.rows(full)
-        null = self.scanner(after).null_maxima(self.signs)
+        null = self.scanner(after).null_maxima(self.scan_signs)
         tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
         used = max(int(np.count_nonzero(full.weight)), 1)
         grams, base, mine = self.grams(full, others, [best])
@@ -390,23 +403,23 @@ class Tracer:
     def remainder(self, model) -> Remainder:
         """Is there structure beside `model`?  Free forms of any two columns test it, a surface locates and sizes it."""
         fitted = self.fit_with(model)
-        rows = self.rows(fitted)
-        used = max(int(np.count_nonzero(fitted.weight)), 1)
+        rows = self.scanned(self.rows(fitted))
+        used = max(int(rows.lever.any(axis=1).sum()), 1)
         places = [c for c in self.places if component(ALL_SYMBOLS[c]).kind != "squareness"]
-        found, null = FreeScan(rows, self.readings, self.names, places).best(self.signs)
+        found, null = FreeScan(rows, self.scan_readings, self.names, places).best(self.scan_signs)
         if not found:
             return Remainder()
         p, score = found[0].p, found[0].score
         self.listen(fitted)
         shifts = [c for c in places if not component(ALL_SYMBOLS[c]).angular]
         leading = list(dict.fromkeys([*shifts, *[s.component for s in found[:10]]]))[:6]
-        best = locate(rows, self.readings, self.names, leading if p < 0.05 or score > 4 else shifts)
+        best = locate(rows, self.scan_readings, self.names, leading if p < 0.05 or score > 4 else shifts)
         if not best or best[0].evidence < DETECTABLE:
             return Remainder(p, found[0].size(used), None)
         top = best[0]
         if p >= ALPHA:  # sign flips of a strong structure hide it: take it out of the null first
-            clean = self.rows(self.fit_with([*model, surface_candidate(top)]))
-            _, null = FreeScan(clean, self.readings, self.names, places).best(self.signs)
+            clean = self.scanned(self.rows(self.fit_with([*model, surface_candidate(top)])))
+            _, null = FreeScan(clean, self.scan_readings, self.names, places).best(self.scan_signs)
             p = min(p, evidence.p_value(score, null))
             if top.evidence > CERTAIN:
                 p = min(p, 1.0 / (len(null) + 1))
@@ -414,14 +427,6 @@ class Tracer:
         grams, base, mine = self.grams(fitted, model, [surface_candidate(top)])
         held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
         return Remainder(p, size, top, held)
-
-
-def normal_tail(gain: float, dims: int) -> float:
-    """-log10 of the chi-square tail on `dims` degrees of freedom."""
-    if dims == 2:
-        return float(log_tail(np.array(gain), 2))
-    z = max(normal_score(gain, dims), 0.0)
-    return float(log_tail(np.array(z * z), 1))
 
 
 def surface_candidate(s: Surface) -> Candidate:

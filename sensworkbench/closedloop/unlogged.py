@@ -33,8 +33,8 @@ class Unlogged:
 
 
 def _p_value(observed: float, null: np.ndarray) -> float:
-    """Share of null maxima at least as large; 1 where the largest of them comes within a quarter: a name that nobody
-    can check against a column needs more than the one in a hundred that chance allows."""
+    """Share of null maxima at least as large, but .05 at least where the largest of them comes within a quarter: a name
+    that nobody can check against a column needs more than the one in a hundred that chance allows."""
     share = float((1 + np.count_nonzero(null >= observed)) / (len(null) + 1))
     return share if observed > MARGIN * float(null.max()) else max(share, 0.05)
 
