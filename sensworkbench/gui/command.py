@@ -67,6 +67,10 @@ class Command:
             self.run()
         except Refused as error:
             messages.show(error.message)
+        if busy():
+            from . import review
+
+            review.make_room()
 
     def run(self):
         raise NotImplementedError

@@ -58,7 +58,9 @@ def legend_text(machine, result) -> LegendText:
     if result.Stale:
         lines.append(translate("Sens", "Out of date: the machine has changed"))
     marks = tuple((body_name(machine, b), v) for b, v in values(result).items())
-    return LegendText(title(result), "", "\n".join(lines), translate("Sens", "no index"), marks)
+    short = "S" if result.ViewObject.ColourBy == "First order" else "Sᵀ"
+    note = translate("Sens", "Out of date") if result.Stale else ""
+    return LegendText(title(result), "", "\n".join(lines), translate("Sens", "no index"), marks, short, note)
 
 
 def position_legend(machine, totals: dict[str, float], position: dict[str, float]) -> LegendText:
@@ -68,9 +70,9 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
     )
     marks = tuple((body_name(machine, b), v) for b, v in totals.items())
     lines = (translate("Sens", "Unit: 1 (share of the variance)"), where)
-    return LegendText(
-        translate("Sens", "Total index Sᵀ of the component"), "", "\n".join(lines), translate("Sens", "no index"), marks
-    )
+    head = translate("Sens", "Total index Sᵀ of the component")
+    note = translate("Sens", "one position")
+    return LegendText(head, "", "\n".join(lines), translate("Sens", "no index"), marks, "Sᵀ", note)
 
 
 def update(result, *, fresh: bool = False) -> None:

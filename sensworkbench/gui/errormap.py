@@ -142,7 +142,9 @@ class ErrorMap:
         words = translate("Sens", "tool point over the workspace")
         if form != POINTS:
             words = translate("Sens", "slice at {axis} = {position} mm").format(axis=form[-1], position=f"{at:g}")
-        self._text = LegendText(title(objective, what), unit, words)
+        short = "√E[Y]" if what == EXPECTED else "E + 2σ"
+        note = "" if form == POINTS else f"{form[-1]} = {at:g} mm"
+        self._text = LegendText(title(objective, what), unit, words, short=short, note=note)
 
     def hide(self) -> None:
         self._switch.whichChild = coin.SO_SWITCH_NONE

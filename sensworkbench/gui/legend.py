@@ -7,8 +7,9 @@ saved images.  It has no extent of its own: fitting the view and picking ignore 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+import FreeCAD as App
 from pivy import coin
 
 from .colormap import NO_DATA, Scale, colour
@@ -16,17 +17,28 @@ from .picture import blank, font, painter, plate, set_image, text_width
 from .qt import Qt, QtCore, QtGui
 
 REFERENCE_WIDTH, REFERENCE_HEIGHT = 1000.0, 760.0  # pixels of a view in which the legend has its natural size
+SMALLEST = 0.75  # smaller letters cannot be read
 
 
 @dataclass(frozen=True)
 class LegendText:
-    """What the legend says.  marks : (name, value) of each coloured component, shown beside the bar."""
+    """What the legend says.  marks : (name, value) of each coloured component, shown beside the bar.
+
+    short, note : title and last line of the small legend that narrow views have (note: what must not be left out).
+    """
 
     title: str
     unit: str = ""
     subtitle: str = ""
     no_data: str = ""
     marks: tuple[tuple[str, float], ...] = field(default_factory=tuple)
+    short: str = ""
+    note: str = ""
+
+    def compact(self) -> LegendText:
+        """The same in few words: symbol, bar and the first letters of the components."""
+        marks = tuple((name if len(name) <= 9 else name[:8] + "…", value) for name, value in self.marks)
+        return LegendText(self.short or self.title, self.unit, self.note, "", marks)
 
 
 def number(value: float) -> str:
@@ -126,6 +138,8 @@ class Legend:
     def __init__(self):
         self._content = None
         self._size = None
+        self._pixels = (int(REFERENCE_WIDTH), int(REFERENCE_HEIGHT))
+        self._painted = None
         self.root = unbounded()
         note = coin.SoAnnotation()
         note.renderCaching = coin.SoSeparator.OFF
@@ -165,28 +179,50 @@ class Legend:
             return
         self._content = (text, scale, corner)
         right, low = "right" in corner, "Lower" in corner
-        self._place.translation = (0.975 if right else -0.975, -0.93 if low else 0.93, 0)
         self._image.horAlignment = coin.SoImage.RIGHT if right else coin.SoImage.LEFT
         self._image.vertAlignment = coin.SoImage.BOTTOM if low else coin.SoImage.TOP
-        self._repaint(self._size or 1.0)
+        self._repaint()
         self._switch.whichChild = 0
 
     def hide(self) -> None:
         self._content = None
         self._switch.whichChild = coin.SO_SWITCH_NONE
 
-    def _repaint(self, size: float) -> None:
-        self._size = size
-        set_image(self._image, paint(self._content[0], self._content[1], size))
+    def _repaint(self) -> None:
+        """Paint for the size of the view: as large as it may be without covering a third of it in width."""
+        text, scale, corner = self._content
+        width, height = self._pixels
+        fit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
+        self._size = min(max(round(fit * 8) / 8, SMALLEST), 6.0)
+        image = paint(text, scale, self._size)
+        if image.width() > width / 3:
+            image = paint(text.compact(), scale, self._size)
+        if image.width() > width / 3:
+            image = paint(replace(text.compact(), marks=()), scale, self._size)
+        set_image(self._image, image)
+        self.covers = (image.width(), image.height())
+        below = 2 * _cube(corner) / height
+        right, low = "right" in corner, "Lower" in corner
+        self._place.translation = (0.975 if right else -0.975, -0.93 + below if low else 0.93 - below, 0)
+        self._painted = (self._content, self._pixels)
 
     def _drawn(self, _data, action) -> None:
         """Called while the scene is traversed: fit the picture to the size of the view or of the saved image."""
         if self._content is None or not action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             return
-        pixels = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
-        fit = min(pixels[0] / REFERENCE_WIDTH, pixels[1] / REFERENCE_HEIGHT)
-        size = min(max(round(fit * 8) / 8, 0.75), 6.0)
-        if size != self._size:
-            notify = self._image.enableNotify(False)
-            self._repaint(size)
-            self._image.enableNotify(notify)
+        found = coin.SoViewportRegionElement.get(action.getState()).getViewportSizePixels()
+        self._pixels = (int(found[0]), int(found[1]))
+        if self._painted != (self._content, self._pixels):
+            nodes = (self._image, self._place)
+            notify = [node.enableNotify(False) for node in nodes]
+            self._repaint()
+            for node, value in zip(nodes, notify):
+                node.enableNotify(value)
+
+
+def _cube(corner: str) -> float:
+    """Pixels that FreeCAD's navigation cube takes in a corner of the view, 0 where it stands elsewhere."""
+    group = App.ParamGet("User parameter:BaseApp/Preferences/NaviCube")
+    shown = App.ParamGet("User parameter:BaseApp/Preferences/View").GetBool("ShowNaviCube", True)
+    where = ("Upper left", "Upper right", "Lower left", "Lower right")[group.GetInt("CornerNaviCube", 1) % 4]
+    return 1.2 * group.GetInt("CubeSize", 132) if shown and where == corner else 0.0

@@ -61,6 +61,8 @@ class Ranking(QtGui.QWidget):
         self.table.setSortingEnabled(True)
         self.table.sortByColumn(RANK, Qt.AscendingOrder)
         self.table.itemSelectionChanged.connect(self._selected)
+        # what an error is stands beside its index: readable without scrolling in a narrow dock
+        self.table.header().moveSection(self.table.header().visualIndex(MEANING), 3)
         self.table.setContextMenuPolicy(Qt.ActionsContextMenu)
         layout.addWidget(self.table)
         self._quiet = False
@@ -81,7 +83,7 @@ class Ranking(QtGui.QWidget):
             self._sized = True
             for column in range(MEANING + 1):
                 self.table.resizeColumnToContents(column)
-            self.table.setColumnWidth(TOTAL, 130)
+            self.table.setColumnWidth(TOTAL, 112)
             self.table.setColumnWidth(OWNER, min(110, self.table.columnWidth(OWNER)))
 
     def _fill(self, machine, result):

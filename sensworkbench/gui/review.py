@@ -15,13 +15,14 @@ from ..document import extract, factory
 from ..document.base import alive, kind_of
 from . import display, messages, pointers
 from .bars import ComponentBars
-from .qt import Qt, QtCore, QtGui, main_window, translate
+from .qt import Qt, QtCore, QtGui, later, main_window, translate
 from .ranking import Ranking
 from .review_settings import Settings
 from .texts import body_name, mean_square_text, objective_text, positions_text
 from .whatif import WhatIf
 
 _dock: list = []
+ROOMY = 1700  # pixels of a window that has room for the tree, the model, a task panel and the review
 
 
 def dock():
@@ -45,6 +46,33 @@ def show(machine) -> Review:
 def hide() -> None:
     if _dock:
         _dock[0].close()
+
+
+def make_room() -> None:
+    """Give way to a task panel that lies over the 3D view (FreeCAD 1.1) where both leave the model no room."""
+    if not _dock or not _dock[0].isVisible() or main_window().width() >= ROOMY or not _overlaid():
+        return
+    _dock[0].hide()
+    _come_back()
+
+
+def _come_back() -> None:
+    """Show the dock again once the panel is closed."""
+    if Gui.Control.activeDialog():
+        later(_come_back, 200)
+    elif _dock:
+        _dock[0].show()
+        _dock[0].refresh()
+
+
+def _overlaid() -> bool:
+    """Whether FreeCAD shows task panels as an overlay at the right of the 3D view."""
+    panel = main_window().findChild(QtGui.QDockWidget, "Tasks")
+    while panel is not None:
+        if "Overlay" in panel.metaObject().className():
+            return True
+        panel = panel.parentWidget()
+    return False
 
 
 def workbench_activated() -> None:

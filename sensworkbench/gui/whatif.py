@@ -70,6 +70,7 @@ class WhatIf(QtGui.QWidget):
         ])  # fmt: skip
         self.table.setSortingEnabled(True)
         self.table.sortByColumn(AFTER, Qt.DescendingOrder)
+        self.table.header().moveSection(self.table.header().visualIndex(MEANING), 5)
         layout.addWidget(self.table, 1)
         self.summary = QtGui.QLabel()
         self.summary.setWordWrap(True)

@@ -184,6 +184,22 @@ def test_the_legend_is_redrawn_larger_for_a_large_picture(machine, machine_doc):
     assert legend._size > 1.5 * small
 
 
+@pytest.mark.parametrize("width, height", [(1200, 800), (700, 800), (420, 800), (300, 500)])
+@pytest.mark.parametrize("corner", ["Upper left", "Upper right"])
+def test_the_legend_leaves_room_for_the_model_and_the_navigation_cube(machine, machine_doc, width, height, corner):
+    run("Sens_Sensitivity")
+    result = result_of(machine_doc)
+    result.ViewObject.LegendCorner = corner
+    result.ViewObject.ShowErrorMap = True
+    pump(30)
+    picture(machine_doc, width, height)
+    for legend in (result.ViewObject.Proxy.legend, result.ViewObject.Proxy.map.legend):
+        assert legend._pixels == (width, height)
+        assert legend.covers[0] <= width / 3 + 1 and legend.covers[0] * legend.covers[1] < width * height / 3
+    top = (1 - result.ViewObject.Proxy.legend._place.translation.getValue()[1]) / 2 * height
+    assert (top > 132) == (corner == "Upper right")
+
+
 def test_a_manual_range_sticks(machine, machine_doc):
     doc = machine_doc
     run("Sens_Sensitivity")

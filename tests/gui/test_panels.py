@@ -30,7 +30,7 @@ def width():
     window = main_window()
     docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.objectName() in ("Combo View", "Model")]
     if docks:
-        window.resizeDocks(docks[:1], [400], Qt.Horizontal)
+        window.resizeDocks(docks[:1], [400 if docks[0].objectName() == "Combo View" else 240], Qt.Horizontal)
 
 
 def cell(panel, symbol, column):
