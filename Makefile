@@ -7,6 +7,8 @@
 
 SHELL := /bin/bash
 PYTHON ?= python3
+# the demonstration runs on the numpy that came with FreeCAD
+SYSTEM_PYTHON ?= $(firstword $(wildcard /usr/bin/python3) $(PYTHON))
 VENV := .venv
 VENV_PYTHON := $(VENV)/bin/python
 OUT ?= build/demo
@@ -31,7 +33,7 @@ venv: $(VENV)/ready
 
 demo: system
 	@mkdir -p $(OUT)
-	$(PYTHON) -m sensworkbench demo --out $(OUT)
+	$(SYSTEM_PYTHON) -m sensworkbench demo --out $(OUT)
 
 test: test-style test-core test-document test-gui test-install
 
