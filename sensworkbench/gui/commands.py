@@ -12,7 +12,7 @@ import FreeCADGui as Gui
 from ..core.refusal import Refused
 from ..document import factory
 from ..document.base import kind_of
-from . import display, live, loop_commands, messages
+from . import display, live, loop_commands, messages, settings
 from .command import QT_TRANSLATE_NOOP, Command, busy, current_machine, machines
 from .files import icon_path
 from .qt import translate
@@ -58,7 +58,7 @@ class _Example(Command):
         doc = App.ActiveDocument
         if doc is None or doc.Objects:
             doc = App.newDocument(translate("Sens", "Machine") + self.code)
-        if messages.change(doc, self.menu_text, lambda: make_example(doc, self.code)):
+        if messages.change(doc, self.menu_text, lambda: settings.give(make_example(doc, self.code))):
             view = Gui.getDocument(doc.Name).activeView()
             view.viewIsometric()
             view.fitAll()

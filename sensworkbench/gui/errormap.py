@@ -21,6 +21,7 @@ from ..document import extract, factory
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
 from .qt import translate
+from .texts import shown_unit
 from .viewproviders import MAP_FORMS, MAP_SHOWS
 
 COUNT = 7  # points per axis
@@ -117,7 +118,7 @@ class ErrorMap:
              at: float = 0.0) -> None:  # fmt: skip
         """Compute and draw; what : `MAP_SHOWS`, form : `MAP_FORMS`, at : position of the sliced axis in mm."""
         stands = [tuple(machine.FunctionalPoint), *(tuple(factory.axis_of(machine, name).Direction) for name in AXES)]
-        key = (machine.Fingerprint, *stands, colour_map, what, form, at)
+        key = (machine.Fingerprint, shown_unit(machine.Output), *stands, colour_map, what, form, at)
         if key != self._key:
             core, objective = extract.core_machine(machine), extract.objective(machine)
             q = positions(core, form, at)
@@ -129,7 +130,7 @@ class ErrorMap:
         self.legend.show(self._text, self._scale, corner)
 
     def _fill(self, where, value, objective, colour_map, what, form, at) -> None:
-        factor, unit = (1e3, "µm") if objective.output == "position" else (1e6, "µrad")
+        unit, factor = shown_unit(objective.output)
         value = value * factor
         self._scale = scale = Scale(float(value.min()), float(value.max()), colour_map)
         colours = [scale.colour(v) for v in value.tolist()]

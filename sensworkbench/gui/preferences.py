@@ -53,7 +53,7 @@ class PreferencePage:
         units = QtGui.QGroupBox(translate("Sens", "Units"))
         rows = QtGui.QFormLayout(units)
         self.angle = combo([("urad", "µrad"), ("arcsec", translate("Sens", "arc seconds (″)"))])
-        rows.addRow(translate("Sens", "Angles of new tolerance tables"), self.angle)
+        rows.addRow(translate("Sens", "Angles, and those of new tolerance tables"), self.angle)
         for box in (colours, numbers, units):
             page.addWidget(box)
         page.addStretch(1)

@@ -49,3 +49,8 @@ def put(name: str, value) -> None:
         group.SetFloat(name, float(value))
     else:
         group.SetString(name, str(value))
+
+
+def give(machine) -> None:
+    """Give a new machine the preferred positions."""
+    machine.Aggregate, machine.Order, machine.Grid = (get(name) for name in ("Aggregate", "Order", "Grid"))

@@ -408,7 +408,7 @@ def new_machine(doc):
             doc, workpiece, found.tool_chain, bed=found.parts["F"], tool_point=found.tool_point,
             label=translate("Sens", "Machine"),
         )  # fmt: skip
-        machine.Aggregate, machine.Order, machine.Grid = (settings.get(k) for k in ("Aggregate", "Order", "Grid"))
+        settings.give(machine)
         for name in AXES:
             factory.make_axis(machine, name, found.parts[name])
         for name in ("T", "W"):

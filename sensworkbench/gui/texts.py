@@ -8,8 +8,9 @@ from math import sqrt
 
 from ..core.errors import ROTATION, SQUARENESS, component
 from ..core.refusal import Refused
-from ..core.units import shown
+from ..core.units import factor, shown
 from ..document import factory
+from . import settings
 from .qt import translate
 
 UNIT_SIGNS = {"um": "µm", "urad": "µrad", "arcsec": "″", "deg": "°"}
@@ -119,10 +120,17 @@ def square_text(result) -> str:
     return translate("Sens", "squareness tilts the direction (ISO)")
 
 
+def shown_unit(output: str) -> tuple[str, float]:
+    """(sign, factor from mm or rad) of the unit in which an error is shown; angles as the preferences say."""
+    if output == "position":
+        return "µm", 1e3
+    unit = settings.get("AngleUnit")
+    return unit_sign(unit), 1 / factor(unit, angular=True)
+
+
 def mean_square_text(result) -> str:
-    """E[Y] and the root of it, in µm or µrad."""
-    angular = result.Output != "position"
-    unit, scale = ("µrad", 1e6) if angular else ("µm", 1e3)
+    """E[Y] and the root of it, in µm or the preferred unit of angles."""
+    unit, scale = shown_unit(result.Output)
     value = result.MeanSquare
     if result.Signed:
         return f"E[Y] = {plain(value * scale)} {unit}"

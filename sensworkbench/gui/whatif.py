@@ -19,7 +19,7 @@ from . import live, messages
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, translate
 from .ranking import _Item, angular
-from .texts import body_name, error_meaning, limits
+from .texts import body_name, error_meaning, limits, shown_unit
 
 ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 
@@ -255,8 +255,7 @@ class WhatIf(QtGui.QWidget):
         self.summary.setText(self._words(then))
 
     def _words(self, then) -> str:
-        position = then.objective.output == "position"
-        scale, unit = (1e3, "µm") if position else (1e6, "µrad")
+        unit, scale = shown_unit(then.objective.output)
 
         def size(value, signed):
             return (value if signed else sqrt(max(value, 0.0))) * scale

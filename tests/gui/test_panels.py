@@ -522,8 +522,48 @@ def test_preferences_show_and_store_what_the_code_uses(workbench):
     settings.put("Order", settings.DEFAULTS["Order"])
 
 
+def test_every_preference_is_honoured(workbench):
+    wanted = {
+        "ColourMap": "cividis", "ColourBy": "Largest", "AutomaticRange": False, "RangeLower": 0.1, "RangeUpper": 0.7,
+        "LegendCorner": "Lower right", "AngleUnit": "arcsec", "Aggregate": "grid", "Order": 6, "Grid": 4, "Live": False,
+    }  # fmt: skip
+    assert set(wanted) == set(settings.DEFAULTS)
+    try:
+        for name, value in wanted.items():
+            settings.put(name, value)
+        run("Sens_ExampleXYFZ")
+        machine = factory.machine_of(App.ActiveDocument)
+        assert (machine.Aggregate, machine.Order, machine.Grid) == ("grid", 6, 4)
+        machine.Output = "orientation"
+        run("Sens_Sensitivity")
+        run("Sens_ErrorMap")
+        result = factory.sensitivity_of(machine)
+        assert list(result.Points) == [4, 4, 4]
+        scale = display.scale(result)
+        assert (scale.lower, scale.upper, scale.name) == (0.1, 0.7, "cividis")
+        assert display.values(result) == dict(zip(result.Bodies, result.ComponentTotalMax))
+        proxy = result.ViewObject.Proxy
+        assert proxy.legend._content[2] == "Lower right"
+        assert proxy.map.legend._content[0].unit == "″"
+        mean = np.sqrt(result.MeanSquare) * 180 * 3600 / np.pi
+        assert f"{mean:.3g} ″" in review.dock().head.text() and f"{mean:.3g} ″" in review.dock().what_if.summary.text()
+        machine.Document.removeObject(factory.tolerances_of(machine).Name)
+        panel = edit_tolerances(machine)
+        assert panel.model.data(cell(panel, "EAX", UNIT)) == "″"
+        click("Cancel")
+        factory.axis_of(machine, "X").TravelUpper = 99.0
+        machine.Document.recompute()
+        pump(60)
+        assert result.Stale
+    finally:
+        for name, value in settings.DEFAULTS.items():
+            settings.put(name, value)
+        for name in list(App.listDocuments()):
+            App.closeDocument(name)
+
+
 def test_the_review_is_readable_on_a_dark_theme(machine, machine_doc):
-    from sensworkbench.gui.qt import QtGui
+    from sensworkbench.gui.qt import QtGui, main_window
 
     application = QtGui.QApplication.instance()
     light, roles = QtGui.QPalette(application.palette()), QtGui.QPalette
@@ -533,6 +573,7 @@ def test_the_review_is_readable_on_a_dark_theme(machine, machine_doc):
     for role in (roles.WindowText, roles.Text, roles.ButtonText):
         night.setColor(role, QtGui.QColor(230, 232, 235))
     application.setPalette(night)
+    main_window().setStyleSheet("QWidget { background-color: #2a2c30; color: #e6e8eb }")  # how FreeCAD's themes do it
     try:
         run("Sens_Sensitivity")
         dock = review.dock()
@@ -546,4 +587,5 @@ def test_the_review_is_readable_on_a_dark_theme(machine, machine_doc):
             assert sum(v > 180 for v in values) > 200  # and light writing on it
         dock.tabs.setCurrentIndex(0)
     finally:
+        main_window().setStyleSheet("")
         application.setPalette(light)
