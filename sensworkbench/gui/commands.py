@@ -35,6 +35,23 @@ class NewMachine(Command):
         new_machine(App.ActiveDocument)
 
 
+class MachineFromAssembly(Command):
+    name = "Sens_MachineFromAssembly"
+    menu_text = QT_TRANSLATE_NOOP("Sens_MachineFromAssembly", "Machine from Assembly…")
+    tip = QT_TRANSLATE_NOOP("Sens_MachineFromAssembly", "Makes a machine from an assembly: its sliders are the axes")
+    needs_machine = False
+
+    def IsActive(self):
+        from .task_assembly import found
+
+        return not busy() and bool(found(App.ActiveDocument))
+
+    def run(self):
+        from .task_assembly import open_panel
+
+        open_panel()
+
+
 class EditMachine(Command):
     name = "Sens_EditMachine"
     menu_text = QT_TRANSLATE_NOOP("Sens_EditMachine", "Edit Machine…")
@@ -234,8 +251,8 @@ class ErrorMap(Command):
 
 
 COMMANDS = (
-    NewMachine, EditMachine, ExampleXYFZ, ExampleFXYZ, ExampleYFXZ, Examples, Tolerances, Sensitivity, Review,
-    OriginalColours, ErrorMap, Jog, Report, *loop_commands.COMMANDS,
+    NewMachine, MachineFromAssembly, EditMachine, ExampleXYFZ, ExampleFXYZ, ExampleYFXZ, Examples, Tolerances,
+    Sensitivity, Review, OriginalColours, ErrorMap, Jog, Report, *loop_commands.COMMANDS,
 )  # fmt: skip
 
 for _kind in COMMANDS:
@@ -246,7 +263,7 @@ def toolbars() -> list[tuple[str, list[str]]]:
     return [
         (
             translate("Workbench", "Sens Machine"),
-            ["Sens_Machine", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances"],
+            ["Sens_Machine", "Sens_MachineFromAssembly", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances"],
         ),
         (
             translate("Workbench", "Sens Analysis"),
@@ -261,7 +278,7 @@ def toolbars() -> list[tuple[str, list[str]]]:
 
 def menu() -> list[str]:
     return [
-        "Sens_Machine", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances", "Separator",
+        "Sens_Machine", "Sens_MachineFromAssembly", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances", "Separator",
         "Sens_Sensitivity", "Sens_Review", "Sens_Jog", "Sens_ErrorMap", "Sens_OriginalColours", "Separator",
         "Sens_Report", "Separator",
         *loop_commands.names(),
