@@ -75,8 +75,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
-      <source>Angles of new tolerance tables</source>
-      <translation>Winkel in neuen Toleranztabellen</translation>
+      <source>Angles, and those of new tolerance tables</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/command.py" />
@@ -97,6 +97,11 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>Arrows {times} times as long as the error</source>
       <translation>Pfeile {times}-mal so lang wie der Fehler</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -494,6 +499,11 @@
       <translation>Halbe Breite des Spiels</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Held by nothing, left out: {names}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Hidden by the declared errors in this plan</source>
       <translation>In diesem Plan von angesetzten Fehlern verdeckt</translation>
@@ -597,6 +607,11 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine</source>
       <translation>Maschine</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Machine from assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -732,6 +747,11 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Original colours</source>
       <translation>Ursprüngliche Farben</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Out of date</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -974,6 +994,11 @@
       <translation>Suche läuft</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Select one coordinate system, datum, vertex, edge, face or part first.</source>
       <translation>Zuerst ein Koordinatensystem, Bezugselement, einen Punkt, eine Kante, Fläche oder ein Teil wählen.</translation>
@@ -1099,6 +1124,11 @@
       <translation>Struktur (Werkstück → Werkzeug, F: Bett)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Structure: {code}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Sum of squares</source>
       <translation>Quadratsumme</translation>
@@ -1119,7 +1149,7 @@
       <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Take</source>
       <translation>Nehmen</translation>
     </message>
@@ -1199,6 +1229,16 @@
       <translation>Dasselbe für die angepassten Messwerte, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The sliders between bed and tool; the others carry the workpiece</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The tool is carried by</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>These readings cannot tell it from its rivals:</source>
       <translation>Diese Messwerte können ihn nicht von seinen Rivalen unterscheiden:</translation>
@@ -1239,7 +1279,7 @@
       <translation>Toleranzen…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Tool point</source>
       <translation>Werkzeugpunkt</translation>
     </message>
@@ -1367,6 +1407,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>Oben rechts</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Use Machine from Selection.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1527,6 +1572,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Zoom</source>
       <translation>Zoom</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>a coordinate system named TCP or tool tip, if there is one</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1729,6 +1779,11 @@
       <translation>aus</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>one position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>points</source>
       <translation>Punkte</translation>
@@ -1829,9 +1884,19 @@
       <translation>Temperatur</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>the bed (no slider)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>the document has no 3D view</source>
       <translation>das Dokument hat keine 3D-Ansicht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>the document holds no assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1982,6 +2047,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. Bitte die Fragen oben beantworten.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{name}: rms {rms} µm</source>
+      <translation>{name}: Effektivwert {rms} µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2175,6 +2245,19 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Makes a machine from parts: which is the bed, and which carries X, Y, Z, spindle and table</source>
       <translation>Macht aus Teilen eine Maschine: was das Bett ist und was X, Y, Z, Spindel und Tisch trägt</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_MachineFromAssembly</name>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Machine from Assembly…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Makes a machine from an assembly: its sliders are the axes</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>

@@ -75,8 +75,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
-      <source>Angles of new tolerance tables</source>
-      <translation>새 공차표의 각도</translation>
+      <source>Angles, and those of new tolerance tables</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/command.py" />
@@ -97,6 +97,11 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>Arrows {times} times as long as the error</source>
       <translation>화살표는 오차의 {times}배 길이</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -494,6 +499,11 @@
       <translation>유격의 반폭</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Held by nothing, left out: {names}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Hidden by the declared errors in this plan</source>
       <translation>이 계획에서 선언된 오차에 가려지는 것</translation>
@@ -597,6 +607,11 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine</source>
       <translation>기계</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Machine from assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -732,6 +747,11 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Original colours</source>
       <translation>원래 색상</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Out of date</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -974,6 +994,11 @@
       <translation>탐색 중</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Select one coordinate system, datum, vertex, edge, face or part first.</source>
       <translation>먼저 좌표계, 데이텀, 꼭짓점, 모서리, 면 또는 부품을 하나 선택하십시오.</translation>
@@ -1099,6 +1124,11 @@
       <translation>구조 (공작물 → 공구, F: 베드)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Structure: {code}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Sum of squares</source>
       <translation>제곱합</translation>
@@ -1119,7 +1149,7 @@
       <translation>표 (*.csv *.txt *.tsv);;모든 파일 (*)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Take</source>
       <translation>사용</translation>
     </message>
@@ -1199,6 +1229,16 @@
       <translation>피팅에 쓴 측정값의 오차, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The sliders between bed and tool; the others carry the workpiece</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The tool is carried by</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>These readings cannot tell it from its rivals:</source>
       <translation>이 측정값으로는 다음 후보와 구별할 수 없습니다:</translation>
@@ -1239,7 +1279,7 @@
       <translation>공차…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Tool point</source>
       <translation>공구점</translation>
     </message>
@@ -1367,6 +1407,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>오른쪽 위</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>Use Machine from Selection.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1527,6 +1572,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Zoom</source>
       <translation>확대</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>a coordinate system named TCP or tool tip, if there is one</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1729,6 +1779,11 @@
       <translation>끄기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>one position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>points</source>
       <translation>점</translation>
@@ -1829,9 +1884,19 @@
       <translation>온도</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>the bed (no slider)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>the document has no 3D view</source>
       <translation>문서에 3D 화면이 없습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>the document holds no assembly</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1982,6 +2047,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. 위 질문에 답하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/residuals.py" />
+      <source>{name}: rms {rms} µm</source>
+      <translation>{name}: rms {rms} µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2175,6 +2245,19 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Makes a machine from parts: which is the bed, and which carries X, Y, Z, spindle and table</source>
       <translation>부품으로 기계를 만듭니다: 베드와 X, Y, Z, 주축, 테이블을 나르는 부품을 지정합니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_MachineFromAssembly</name>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Machine from Assembly…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Makes a machine from an assembly: its sliders are the axes</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>

@@ -133,7 +133,12 @@ def unbounded():
 
 
 class Legend:
-    """The legend's nodes.  `root` goes into the scene graph; `show` fills it, `hide` empties it."""
+    """The legend's nodes.  `root` goes into the scene graph; `show` fills it, `hide` empties it.
+
+    `paint` may be another function of (text, scale, size); its text then has `marks` and `compact()` too.
+    """
+
+    paint = staticmethod(paint)
 
     def __init__(self):
         self._content = None
@@ -194,11 +199,11 @@ class Legend:
         width, height = self._pixels
         fit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
         self._size = min(max(round(fit * 8) / 8, SMALLEST), 6.0)
-        image = paint(text, scale, self._size)
+        image = self.paint(text, scale, self._size)
         if image.width() > width / 3:
-            image = paint(text.compact(), scale, self._size)
+            image = self.paint(text.compact(), scale, self._size)
         if image.width() > width / 3:
-            image = paint(replace(text.compact(), marks=()), scale, self._size)
+            image = self.paint(replace(text.compact(), marks=()), scale, self._size)
         set_image(self._image, image)
         self.covers = (image.width(), image.height())
         below = 2 * _cube(corner) / height

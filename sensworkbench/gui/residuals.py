@@ -8,7 +8,7 @@ names are stored in users' files and stay as they are; what is shown is a view p
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from pivy import coin
@@ -18,7 +18,7 @@ from ..core.refusal import Refused
 from ..document import extract, factory
 from .arrows import Arrow, Arrows
 from .legend import Legend
-from .picture import blank, font, painter, plate, set_image, text_width
+from .picture import blank, font, painter, plate, text_width
 from .plots import AFTER, BEFORE
 from .qt import Qt, QtCore, QtGui, later, translate
 from .viewproviders import CORNERS, ViewProviderSens
@@ -92,18 +92,22 @@ class Key:
     title: str
     lines: tuple[str, ...]
     series: tuple[Series, ...]
+    short: bool = False
+    marks: tuple = ()
+
+    def compact(self) -> Key:
+        """The same for a narrow view: the largest values and the scale in words are left out."""
+        return replace(self, lines=(), short=True)
 
 
 def paint_key(key: Key, size: float = 1.0):
     """The key as a QImage; size 1 is for a view about 760 pixels high."""
     big, small = font(14 * size, bold=True), font(12 * size)
     line = QtGui.QFontMetrics(small).height() * 1.15
-    texts = [
-        translate("Sens", "{name}: rms {rms} µm, largest {largest} µm").format(
-            name=s.name, rms=f"{s.rms:.3g}", largest=f"{s.largest:.3g}"
-        )
-        for s in key.series
-    ]
+    words = translate("Sens", "{name}: rms {rms} µm, largest {largest} µm")
+    if key.short:
+        words = translate("Sens", "{name}: rms {rms} µm")
+    texts = [words.format(name=s.name, rms=f"{s.rms:.3g}", largest=f"{s.largest:.3g}") for s in key.series]
     pad, mark = 10 * size, 34 * size
     wide = [text_width(big, key.title)] + [text_width(small, t) + mark for t in texts]
     width = max(wide + [text_width(small, t) for t in key.lines]) + 2 * pad
@@ -140,9 +144,7 @@ def paint_key(key: Key, size: float = 1.0):
 class _KeyLegend(Legend):
     """The legend's place and size in the view, with the key painted in it."""
 
-    def _repaint(self, size: float) -> None:
-        self._size = size
-        set_image(self._image, paint_key(self._content[0], size))
+    paint = staticmethod(lambda key, scale, size: paint_key(key, size))
 
 
 class ResidualArrows:
