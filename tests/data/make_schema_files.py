@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import sys
+import tempfile
 from pathlib import Path
 
 HERE = Path.cwd() / "tests" / "data"
@@ -18,10 +19,13 @@ sys.path.insert(0, str(Path.cwd()))
 
 import FreeCAD as App  # noqa: E402
 
+from sensworkbench.closedloop.trace import trace  # noqa: E402
 from sensworkbench.core import distributions  # noqa: E402
 from sensworkbench.core.drivers import Effect  # noqa: E402
-from sensworkbench.document import extract, factory, jog, results, tables  # noqa: E402
+from sensworkbench.document import closed_loop, extract, factory, jog, results, tables  # noqa: E402
 from sensworkbench.document.base import kind_of  # noqa: E402
+from sensworkbench.formats import readings_csv  # noqa: E402
+from tests.document import simulated  # noqa: E402
 from tests.document.blocks import TURNED, golden_machine  # noqa: E402
 from tests.document.stored import values  # noqa: E402
 
@@ -55,6 +59,20 @@ def full_machine(doc):
     return machine
 
 
+def traced_machine(doc):
+    """An XYFZ machine with readings, their trace, and the effects that were found."""
+    machine = golden_machine(doc)
+    core = extract.core_machine(machine)
+    with tempfile.TemporaryDirectory() as folder:
+        measured = simulated.write(Path(folder) / "measured.csv", simulated.table(core))
+        table = closed_loop.make_readings(machine, measured)
+        found = closed_loop.make_trace(machine, table, trace(core, readings_csv.load(measured)), core)
+    if closed_loop.can_add(found):
+        closed_loop.add_effects(found)
+    results.compute(machine)
+    return machine
+
+
 def expected(doc, machine) -> dict:
     """All that our objects store, and the arms that the core makes of it."""
     core = extract.core_machine(machine)
@@ -68,15 +86,16 @@ def expected(doc, machine) -> dict:
 
 
 def main():
-    for name, make in (("plain", plain_machine), ("full", full_machine)):
+    for name, make in (("plain", plain_machine), ("full", full_machine), ("traced", traced_machine)):
         doc = App.newDocument(f"schema_{SCHEMA}_{name}")
         doc.Label = f"schema-{SCHEMA}-{name}"
         machine = make(doc)
         doc.recompute()
         path = HERE / f"schema-{SCHEMA}-{name}.FCStd"
         data = expected(doc, machine)
+        path.unlink(missing_ok=True)
         doc.saveAs(str(path))
-        path.with_suffix(".json").write_text(json.dumps(data, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+        path.with_suffix(".json").write_text(json.dumps(data, separators=(",", ":"), sort_keys=True) + "\n", encoding="utf-8")
         App.closeDocument(doc.Name)
 
 

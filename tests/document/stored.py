@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import hashlib
+from pathlib import Path
+
 import FreeCAD as App
 
 
@@ -12,6 +15,8 @@ def values(obj) -> dict:
     for name in obj.PropertiesList:
         if name not in ("Proxy", "Group", "ExpressionEngine", "Visibility", "Label2") and not name.startswith("_"):
             found[name] = plain(getattr(obj, name))
+            if obj.getTypeIdOfProperty(name) == "App::PropertyFileIncluded":  # its path is another at every opening
+                found[name] = hashlib.sha256(Path(found[name]).read_bytes()).hexdigest()
     return found
 
 
