@@ -2,7 +2,9 @@
 # make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
 # make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
 # make test-matrix  all tests on FreeCAD 0.20, 1.0 and 1.1: the machine's own, the others in chroots (as root)
-# make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor
+# make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
+# make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
+# make screens  a picture of every panel, light and dark, in build/screens/
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
 SHELL := /bin/bash
@@ -15,7 +17,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-core test-document test-gui test-install test-matrix bench clean
+.PHONY: help system venv demo test test-style test-core test-document test-gui test-install test-matrix bench translations screens clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -57,6 +59,14 @@ test-matrix:
 
 bench: venv
 	$(VENV_PYTHON) benchmarks/indices.py
+	$(VENV_PYTHON) benchmarks/recolour.py
+
+translations:
+	$(PYTHON) resources/translations/update.py
+
+screens: system venv
+	$(VENV_PYTHON) tests/run_in_freecad.py --gui -q tests/gui/test_panels.py tests/gui/test_commands.py
+	@ls build/screens
 
 clean:
 	rm -rf build

@@ -76,7 +76,7 @@
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Angles, and those of new tolerance tables</source>
-      <translation type="unfinished" />
+      <translation>Winkel, auch in neuen Toleranztabellen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/command.py" />
@@ -101,7 +101,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Assembly</source>
-      <translation type="unfinished" />
+      <translation>Baugruppe</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -351,7 +351,7 @@
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
-      <translation type="unfinished" />
+      <translation>Erwartete Abweichung √(E[Y]² + V(Y))</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -501,7 +501,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Held by nothing, left out: {names}</source>
-      <translation type="unfinished" />
+      <translation>Von nichts gehalten, ausgelassen: {names}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -611,7 +611,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Machine from assembly</source>
-      <translation type="unfinished" />
+      <translation>Maschine aus Baugruppe</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -636,17 +636,17 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
-      <translation type="unfinished" />
+      <translation>Maßstab verschieben von</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Moves the reference point of an axis, where its scale is read, along X, Y, Z</source>
-      <translation type="unfinished" />
+      <translation>Verschiebt den Bezugspunkt einer Achse, an dem ihr Maßstab abgelesen wird, entlang X, Y, Z</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Moves the slice along its axis</source>
-      <translation type="unfinished" />
+      <translation>Verschiebt den Schnitt entlang seiner Achse</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -751,7 +751,7 @@
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Out of date</source>
-      <translation type="unfinished" />
+      <translation>Veraltet</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -831,7 +831,7 @@
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Points</source>
-      <translation type="unfinished" />
+      <translation>Punkte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -996,7 +996,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
-      <translation type="unfinished" />
+      <translation>Ein Koordinatensystem, einen Punkt, eine Kante oder Fläche an der Werkzeugspitze wählen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1066,17 +1066,17 @@
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at X</source>
-      <translation type="unfinished" />
+      <translation>Schnitt bei X</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at Y</source>
-      <translation type="unfinished" />
+      <translation>Schnitt bei Y</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at Z</source>
-      <translation type="unfinished" />
+      <translation>Schnitt bei Z</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1126,7 +1126,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Structure: {code}</source>
-      <translation type="unfinished" />
+      <translation>Aufbau: {code}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1231,12 +1231,12 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The sliders between bed and tool; the others carry the workpiece</source>
-      <translation type="unfinished" />
+      <translation>Die Schieber zwischen Bett und Werkzeug; die übrigen tragen das Werkstück</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The tool is carried by</source>
-      <translation type="unfinished" />
+      <translation>Das Werkzeug wird getragen von</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1391,12 +1391,12 @@
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Upper estimate |E[Y]| + 2√V(Y)</source>
-      <translation type="unfinished" />
+      <translation>Obere Schätzung |E[Y]| + 2√V(Y)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Upper estimate √(E[Y] + 2√V(Y))</source>
-      <translation type="unfinished" />
+      <translation>Obere Schätzung √(E[Y] + 2√V(Y))</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1411,7 +1411,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Use Machine from Selection.</source>
-      <translation type="unfinished" />
+      <translation>„Maschine aus Auswahl“ verwenden.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1471,7 +1471,7 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
-      <translation type="unfinished" />
+      <translation>Was die Karte zeigt, wird in der Auswertung unter „Einstellungen“ gewählt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1526,7 +1526,7 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
-      <translation type="unfinished" />
+      <translation>Schreibt Toleranzen, Gewichte und verschobene Maßstäbe in die Maschine, ein Rückgängig-Schritt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1576,7 +1576,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>a coordinate system named TCP or tool tip, if there is one</source>
-      <translation type="unfinished" />
+      <translation>ein Koordinatensystem namens TCP oder Werkzeugspitze, falls vorhanden</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1781,7 +1781,7 @@
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>one position</source>
-      <translation type="unfinished" />
+      <translation>eine Stellung</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1826,17 +1826,17 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale moved</source>
-      <translation type="unfinished" />
+      <translation>Maßstab verschoben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale of {name} moved by {offset} mm</source>
-      <translation type="unfinished" />
+      <translation>Maßstab von {name} um {offset} mm verschoben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>slice at {axis} = {position} mm</source>
-      <translation type="unfinished" />
+      <translation>Schnitt bei {axis} = {position} mm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1886,7 +1886,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>the bed (no slider)</source>
-      <translation type="unfinished" />
+      <translation>dem Bett (kein Schieber)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1896,7 +1896,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>the document holds no assembly</source>
-      <translation type="unfinished" />
+      <translation>das Dokument enthält keine Baugruppe</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2140,7 +2140,7 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
-      <translation type="unfinished" />
+      <translation>Zeigt die Abweichung über dem Arbeitsraum als farbige Punkte oder Schnitt, oder blendet sie aus</translation>
     </message>
   </context>
   <context>
@@ -2252,12 +2252,12 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine from Assembly…</source>
-      <translation type="unfinished" />
+      <translation>Maschine aus Baugruppe…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
-      <translation type="unfinished" />
+      <translation>Macht aus einer Baugruppe eine Maschine: ihre Schieber sind die Achsen</translation>
     </message>
   </context>
   <context>

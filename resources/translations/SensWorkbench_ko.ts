@@ -76,7 +76,7 @@
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Angles, and those of new tolerance tables</source>
-      <translation type="unfinished" />
+      <translation>각도 및 새 공차표의 각도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/command.py" />
@@ -101,7 +101,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Assembly</source>
-      <translation type="unfinished" />
+      <translation>조립체</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -351,7 +351,7 @@
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
-      <translation type="unfinished" />
+      <translation>기대 오차 √(E[Y]² + V(Y))</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -501,7 +501,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Held by nothing, left out: {names}</source>
-      <translation type="unfinished" />
+      <translation>고정되지 않아 제외됨: {names}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -611,7 +611,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Machine from assembly</source>
-      <translation type="unfinished" />
+      <translation>조립체에서 기계 만들기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -636,17 +636,17 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
-      <translation type="unfinished" />
+      <translation>스케일 이동 축</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Moves the reference point of an axis, where its scale is read, along X, Y, Z</source>
-      <translation type="unfinished" />
+      <translation>스케일을 읽는 축의 기준점을 X, Y, Z 방향으로 옮깁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Moves the slice along its axis</source>
-      <translation type="unfinished" />
+      <translation>단면을 축을 따라 옮깁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -751,7 +751,7 @@
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Out of date</source>
-      <translation type="unfinished" />
+      <translation>오래됨</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -831,7 +831,7 @@
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Points</source>
-      <translation type="unfinished" />
+      <translation>점</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -996,7 +996,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
-      <translation type="unfinished" />
+      <translation>공구 끝의 좌표계, 꼭짓점, 모서리 또는 면을 선택하십시오</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1066,17 +1066,17 @@
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at X</source>
-      <translation type="unfinished" />
+      <translation>X 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at Y</source>
-      <translation type="unfinished" />
+      <translation>Y 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at Z</source>
-      <translation type="unfinished" />
+      <translation>Z 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1126,7 +1126,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Structure: {code}</source>
-      <translation type="unfinished" />
+      <translation>구조: {code}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1231,12 +1231,12 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The sliders between bed and tool; the others carry the workpiece</source>
-      <translation type="unfinished" />
+      <translation>베드와 공구 사이의 슬라이더. 나머지는 공작물을 지지합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The tool is carried by</source>
-      <translation type="unfinished" />
+      <translation>공구를 지지하는 슬라이더</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1391,12 +1391,12 @@
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Upper estimate |E[Y]| + 2√V(Y)</source>
-      <translation type="unfinished" />
+      <translation>상한 추정 |E[Y]| + 2√V(Y)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Upper estimate √(E[Y] + 2√V(Y))</source>
-      <translation type="unfinished" />
+      <translation>상한 추정 √(E[Y] + 2√V(Y))</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1411,7 +1411,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Use Machine from Selection.</source>
-      <translation type="unfinished" />
+      <translation>'선택에서 기계 만들기'를 사용하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1471,7 +1471,7 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
-      <translation type="unfinished" />
+      <translation>지도에 표시할 내용은 검토 창의 설정에서 고릅니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1526,7 +1526,7 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
-      <translation type="unfinished" />
+      <translation>공차, 가중치, 옮긴 스케일을 기계에 기록합니다(실행 취소 한 단계)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1576,7 +1576,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>a coordinate system named TCP or tool tip, if there is one</source>
-      <translation type="unfinished" />
+      <translation>이름이 TCP 또는 공구 끝인 좌표계(있는 경우)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1781,7 +1781,7 @@
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>one position</source>
-      <translation type="unfinished" />
+      <translation>한 위치</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1826,17 +1826,17 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale moved</source>
-      <translation type="unfinished" />
+      <translation>스케일 이동</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale of {name} moved by {offset} mm</source>
-      <translation type="unfinished" />
+      <translation>{name} 스케일을 {offset} mm 이동</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>slice at {axis} = {position} mm</source>
-      <translation type="unfinished" />
+      <translation>{axis} = {position} mm 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1886,7 +1886,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>the bed (no slider)</source>
-      <translation type="unfinished" />
+      <translation>베드(슬라이더 없음)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/export.py" />
@@ -1896,7 +1896,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>the document holds no assembly</source>
-      <translation type="unfinished" />
+      <translation>문서에 조립체가 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2140,7 +2140,7 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
-      <translation type="unfinished" />
+      <translation>작업 공간의 오차를 색 점이나 단면으로 표시하거나 숨깁니다</translation>
     </message>
   </context>
   <context>
@@ -2252,12 +2252,12 @@
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Machine from Assembly…</source>
-      <translation type="unfinished" />
+      <translation>조립체에서 기계 만들기…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
-      <translation type="unfinished" />
+      <translation>조립체로 기계를 만듭니다. 슬라이더가 축이 됩니다</translation>
     </message>
   </context>
   <context>

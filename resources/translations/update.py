@@ -3,16 +3,20 @@
 
     python3 resources/translations/update.py [--check]
 
-Does for this add-on what lupdate and lrelease do, which are not installed everywhere (and Qt 5's lupdate reads no
-Python).  The .ts files can be edited with Qt Linguist.  --check changes nothing and ends with 1 where a text is
-missing, untranslated or not compiled.
+Texts are collected by reading the Python sources: lupdate of Qt 5 reads no Python.  Where Qt's lrelease is installed it
+must accept each .ts file and find nothing unfinished; the .qm files are always written here, so that every machine
+writes the same bytes.  The .ts files can be edited with Qt Linguist.  --check changes nothing and ends with 1 where a
+text is missing, untranslated or not compiled.
 """
 
 from __future__ import annotations
 
 import ast
+import shutil
 import struct
+import subprocess
 import sys
+import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -95,6 +99,17 @@ def qm(table) -> bytes:
     return magic + struct.pack(">BI", 0x42, len(index)) + index + struct.pack(">BI", 0x69, len(messages)) + messages
 
 
+def released(path: Path) -> list[str]:
+    """What Qt's own lrelease finds wrong with a .ts file; nothing where it is not installed."""
+    program = next(filter(None, map(shutil.which, ("lrelease", "lrelease-qt6", "lrelease-qt5"))), None)
+    if program is None:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        line = [program, str(path), "-qm", str(Path(folder) / "out.qm")]
+        found = subprocess.run(line, capture_output=True, text=True, timeout=60, check=False)
+    return [] if found.returncode == 0 else [f"{path.name}: {found.stderr.strip()}"]
+
+
 def main(argv: list[str]) -> int:
     check, wrong = "--check" in argv, []
     for language in LANGUAGES:
@@ -111,6 +126,7 @@ def main(argv: list[str]) -> int:
                     wrong.append(f"{file.name} is not up to date")
             else:
                 file.write_bytes(content)
+        wrong += released(path)
     sys.stderr.write("".join(line + "\n" for line in wrong))
     return 1 if wrong else 0
 
