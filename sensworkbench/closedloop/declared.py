@@ -15,7 +15,7 @@ from . import outcome
 from .design import Term, design, tool_labels
 from .fit import Fit, fit, null_space_words
 from .readings import Readings
-from .trace import _without_known_effects
+from .trace import without_known_effects
 
 
 def declared_fit(machine: Machine, readings: Readings) -> Fit:
@@ -23,7 +23,7 @@ def declared_fit(machine: Machine, readings: Readings) -> Fit:
 
     Refuses where there are fewer readings than it takes to determine anything.
     """
-    readings = _without_known_effects(machine, readings)
+    readings = without_known_effects(machine, readings)
     terms = design(machine, readings)
     found = fit(terms, readings)
     if found.dof < 1:

@@ -31,11 +31,10 @@ def blocks(readings: Readings, target: int = 30) -> np.ndarray:
     return out
 
 
-def flips(block_of_row: np.ndarray, count: int, seed: int) -> np.ndarray:
-    """(count, R) signs that flip whole blocks together."""
+def flips(block: np.ndarray, count: int, seed: int) -> np.ndarray:
+    """(count, blocks) signs, one for each whole block: index by the block numbers of rows to turn them."""
     rng = np.random.default_rng(seed)
-    table = rng.integers(0, 2, size=(count, int(block_of_row.max()) + 1), dtype=np.int8) * 2 - 1
-    return table[:, block_of_row].astype(np.float32)
+    return rng.integers(0, 2, size=(count, int(block.max()) + 1), dtype=np.int8) * 2 - 1
 
 
 def p_value(observed: float, null: np.ndarray) -> float:
@@ -127,3 +126,9 @@ def gain_statistics(without: np.ndarray, with_: np.ndarray) -> tuple[float, floa
     """(total gain, its standard error) over blocks of held-out squared errors."""
     gain = without - with_
     return float(gain.sum()), float(np.sqrt(len(gain)) * gain.std(ddof=1)) if len(gain) > 1 else float("inf")
+
+
+def no_worse(errors: np.ndarray, best: np.ndarray, within: float = 0.5) -> bool:
+    """Are held-out squared errors (B,) within some standard errors of the best ones?"""
+    loss, spread = gain_statistics(errors, best)
+    return loss <= within * spread

@@ -153,8 +153,7 @@ class FreeScan:
         if not self.owner:
             return [], np.zeros(0)
         observed = rows.gather(rows.lever * rows.residual[:, None])[None]
-        flipped = signs * rows.residual
-        flipped = flipped - (flipped @ rows.q) @ rows.q.T
+        flipped = rows.flipped(signs)
         maxima = []
         for begin in range(0, len(signs), 25):
             h = np.stack([rows.gather(rows.lever * r[:, None]) for r in flipped[begin : begin + 25]])

@@ -13,23 +13,27 @@ import numpy as np
 from ..core.drivers import driver_columns
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..core.synthesis import omega
 from ..core.workspace import Cancelled, sensitivity
 from . import outcome
 from .catalogue import describe, not_testable, physical
-from .design import ALL_SYMBOLS, design, tool_labels
+from .design import ALL_SYMBOLS, tool_labels
 from .effects import to_effect
-from .fit import Fit, fit, null_space_words
+from .fit import Fit, null_space_words
 from .outcome import Outcome
 from .rivals import Rival, aliases, rivals, separating_measurement
 from .scan import exact_gain
-from .search import Candidate, vectors_of
-from .tracer import ALPHA, Remainder, Step, Tracer, surface_candidate
+from .search import Candidate, surface_candidate, vectors_of
+from .signs import flipped_findings
+from .tracer import ALPHA, Remainder, Step, Tracer
+from .unlogged import Unlogged
 
 
 class TraceReport:
     """Assembles trace.json and the augmented machine."""
 
-    def __init__(self, tracer, declared, named, smooth, remainder, structured, hidden, verdict):
+    def __init__(self, tracer, declared, named, smooth, remainder, structured, hidden, verdict, flipped=()):
+        self.flipped = flipped
         self.tracer: Tracer = tracer
         self.declared: Fit = declared
         self.named: list[Step] = named
@@ -78,7 +82,7 @@ class TraceReport:
                 {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
                 for f in readings.findings
             ]
-            + _flipped_sign(tracer, self.full),
+            + flipped_findings(self.flipped),
         }
         tell(1.0, "done")
         return Outcome(report, augmented, readings, residuals, outcome.covariance_table(self.full), tracer.log)
@@ -188,13 +192,20 @@ class TraceReport:
                             "unit": f"{unit}/mm" if h.place else unit,
                         }
                     },
-                    "amplitude_um": h.size * float(np.mean(list(self.full.noise.values()))) * 1e3 * np.sqrt(3),
+                    "amplitude_um": self._unlogged_amplitude(h),
                     "p_familywise": h.p,
                     "selection_frequency": 1.0,
                     "rivals": [],
                 }
             )
         return out
+
+    def _unlogged_amplitude(self, h: Unlogged) -> float:
+        """3-D rms over the points, um, of a component that moves by h.rms from reading to reading."""
+        readings = self.tracer.readings
+        column = omega(self.tracer.machine, [h.symbol], readings.q, readings.tool_offset)[:, :, 0]
+        place = readings.columns[h.place] if h.place else np.ones(readings.points)
+        return 1e3 * h.rms * float(np.sqrt(((column * place[:, None]) ** 2).sum(axis=1).mean()))
 
     # -- before and after ------------------------------------------------------------------------------------------
     def _before_and_after(self):
@@ -361,30 +372,6 @@ def _weighted_residual(x, y, weight) -> np.ndarray:
 def _norms(x) -> np.ndarray:
     size = np.linalg.norm(x, axis=0)
     return np.where(size > 0, size, 1.0)
-
-
-def _flipped_sign(tracer: Tracer, full: Fit) -> list[dict]:
-    """A direction of sensing with the wrong sign: with it turned the declared model fits much better."""
-    readings = tracer.readings
-    kinds = [k for k in np.unique(readings.kind) if k < 3]
-    if len(kinds) < 3:
-        return []
-    reference = np.log(list(full.noise.values())).sum()
-    out = []
-    for kind in kinds:
-        turned = replace(readings, value=np.where(readings.kind == kind, -readings.value, readings.value))
-        noise = fit(design(tracer.machine, turned), turned).noise
-        if np.log(list(noise.values())).sum() < reference - np.log(8.0):
-            axis = "xyz"[kind]
-            out.append(
-                {
-                    "severity": "warning",
-                    "code": "flipped-sign",
-                    "message": f"with the sign of e{axis} turned the declared model fits much better: check its sign",
-                    "line": 0,
-                }
-            )
-    return out
 
 
 def _sensitivity_shift(before: Machine, after: Machine) -> list[dict]:

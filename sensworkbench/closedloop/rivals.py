@@ -20,7 +20,7 @@ from .scan import exact_gain
 from .search import Candidate, handicap, vectors_of
 from .tracer import RIVAL, Step, Tracer
 
-HELD_OUT_RANGE = 25.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
+HELD_OUT_RANGE = 16.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
 
 
 @dataclass(frozen=True)

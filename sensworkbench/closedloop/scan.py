@@ -15,6 +15,7 @@ import numpy as np
 from .bank import Shape, log_tail
 
 CHUNK = 512  # bank entries at a time
+MOST_KEPT = 60_000  # rows; beyond, one component is kept at a time
 MIN_VISIBLE = 0.02  # share of a candidate's square that the declared model cannot imitate
 
 
@@ -31,6 +32,13 @@ class Rows:
     def gather(self, x) -> np.ndarray:
         return np.add.reduceat(x, self.start, axis=0)
 
+    def flipped(self, signs) -> np.ndarray:
+        """(B, R) residuals with their signs turned, projected, and as large as before the projection took its share."""
+        turned = signs * self.residual
+        turned -= (turned @ self.q) @ self.q.T
+        used = max(int(self.lever.any(axis=1).sum()), 1)
+        return turned * np.sqrt(used / max(used - self.q.shape[1], 1))
+
     def thinned(self, points) -> Rows:
         """The rows of some points (sorted indices) alone, with their own orthonormal basis."""
         size = np.diff(np.r_[self.start, len(self.residual)])
@@ -45,6 +53,8 @@ class Rows:
     def per_point(self, component: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(basis (P, m), squares (P,), residual (P,)) of one component, summed over each point's rows; kept."""
         if component not in self.kept:
+            if len(self.residual) > MOST_KEPT:
+                self.kept.clear()
             lever = self.lever[:, [component]]
             r = self.residual - self.q @ (self.q.T @ self.residual)
             self.kept[component] = (
@@ -158,8 +168,7 @@ class Scanner:
         scale = np.where(ok, 1.0 / np.where(ok, det, 1.0), 0.0)
         ca, cb, cd = (x.astype(np.float32) for x in (a * scale, 2 * b * scale, d * scale))
         out = np.empty(len(signs))
-        flipped = signs * rows.residual
-        flipped = flipped - (flipped @ rows.q) @ rows.q.T
+        flipped = rows.flipped(signs)
         for begin in range(0, len(signs), batch):
             block = flipped[begin : begin + batch]
             h = np.empty((p, len(block), components), dtype=np.float32)

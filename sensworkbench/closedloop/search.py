@@ -19,7 +19,7 @@ from .bank import DIRECTIONS, POSITIONS, Shape
 from .design import ALL_SYMBOLS
 from .freeform import free_form
 from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain
-from .surface import bump_features
+from .surface import Surface, bump_features
 
 PER_PARAMETER = 7.0  # handicap of each further number fitted: about ln(number of readings)
 
@@ -92,12 +92,12 @@ def handicap(symbol: str, shape: Shape) -> float:
     if shape.shape in ("power", "hysteresis"):
         cost += 2.0
     if shape.shape == "polynomial" and shape.driver.startswith("temp_"):
-        cost += 5.0  # expansion is linear
+        cost += 8.0  # expansion is linear
     if shape.shape == "approach":
         cost -= 6.0  # every machine warms up
     axes = axes_of(shape.driver)
     if c.kind == SQUARENESS:
-        cost += 2.0  # its lever holds the axis position: one more factor
+        cost += 3.5  # its lever holds the axis position: one more factor
     if axes and c.body not in axes:
         cost += 3.0
     if len(axes) > 1 and set(shape.driver.split("*")) - set(POSITIONS):
@@ -250,3 +250,21 @@ def search(
             refined += 1
         out.append(c)
     return sorted((c for c in out if c.visible > MIN_VISIBLE), key=lambda c: -score(c))
+
+
+def surface_candidate(s: Surface) -> Candidate:
+    """A surface as a candidate (without a name); a shift is put on the body that its columns speak of."""
+    symbol = ALL_SYMBOLS[s.component]
+    c = component(symbol)
+    if not c.angular:
+        bodies = [b for b in "XYZ" if b in axes_of("*".join(s.columns))]
+        body = symbol[1] if symbol[1] in bodies or not bodies else bodies[0]
+        symbol = f"E{symbol[1]}{body}"
+    return Candidate(symbol, s.shape(), s.gain, np.zeros(s.mix.shape[1]), 1.0, 0.0)
+
+
+def same_place(a: Candidate, b: Candidate) -> bool:
+    """Do two candidates move the same body part in the same way by a common column?"""
+    ca, cb = component(a.symbol), component(b.symbol)
+    alike = a.symbol == b.symbol or (not ca.angular and not cb.angular and ca.axis == cb.axis)
+    return alike and bool(set(a.shape.driver.split("*")) & set(b.shape.driver.split("*")))

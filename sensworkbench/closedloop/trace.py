@@ -22,9 +22,10 @@ from .outcome import Outcome
 from .readings import Readings
 from .report import TraceReport
 from .scan import exact_gain
-from .search import Candidate, vectors_of
+from .search import Candidate, surface_candidate, vectors_of
+from .signs import flipped_directions
 from .surface import separable, sharpen
-from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer, surface_candidate
+from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer
 from .unlogged import Unlogged, uneven_noise, unlogged_driver
 
 NOTHING, EXPLAINED, PARTLY, UNEXPLAINED = "nothing_to_explain", "explained", "partly_explained", "unexplained"
@@ -46,7 +47,7 @@ def trace(
     progress : told (fraction, words); a false return cancels.  Refuses when there are too few readings to fit anything.
     """
     tell = progress or (lambda fraction, words: True)
-    readings = _without_known_effects(machine, readings)
+    readings = without_known_effects(machine, readings)
     if readings.rows < FEW:
         raise Refused(f"{readings.rows} readings are too few", "readings", f"Give at least {FEW}.")
     tracer = Tracer(machine, readings, seed=seed, permutations=permutations, floor=floor)
@@ -59,9 +60,13 @@ def trace(
         )
     if not tell(0.05, "declared model fitted"):
         raise Cancelled("cancelled")
-    tracer.add_effects(tell)
-    tracer.review()
+    flipped = flipped_directions(machine, readings, declared)
+    if not flipped:
+        tracer.add_effects(tell)
+        tracer.review()
     named = _consistent(tracer)
+    if not named and any(s.significant for s in tracer.steps) and not tracer.coloured and tracer.rescue(tell):
+        named = _consistent(tracer)
     tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)
     if structured and named and _pieces(tracer, named):
@@ -72,10 +77,10 @@ def trace(
         raise Cancelled("cancelled")
     hidden = None if structured else _unlogged(tracer, [*[s.candidate for s in named], *smooth])
     verdict = _verdict(tracer, named, structured, hidden)
-    return TraceReport(tracer, declared, named, smooth, remainder, structured, hidden, verdict).outcome(tell)
+    return TraceReport(tracer, declared, named, smooth, remainder, structured, hidden, verdict, flipped).outcome(tell)
 
 
-def _without_known_effects(machine: Machine, readings: Readings) -> Readings:
+def without_known_effects(machine: Machine, readings: Readings) -> Readings:
     """Readings less what the machine's own enabled effects predict: they are known, and traced no second time."""
     known = [e for e in machine.effects if e.enabled]
     if not known:

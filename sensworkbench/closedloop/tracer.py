@@ -24,7 +24,7 @@ from .freeform import FreeScan, normal_tail
 from .naming import beyond, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, axes_of, handicap, refine, search, vectors_of
+from .search import Candidate, handicap, refine, same_place, search, surface_candidate, vectors_of
 from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
@@ -35,6 +35,7 @@ SHORT_BLOCKS, LONG_BLOCKS = 30, 10
 COLOURED = 0.3  # correlation of successive residuals from which the noise is taken to remember
 CLASS = 25.0  # in chi-square: within reach of a held-out comparison
 MOST_EFFECTS = 4
+PAIRS = 10  # leaders tried as the first of two
 MOST_SCANNED = 4000  # points: more are thinned for the scan; every fit takes all
 LARGEST_UM = 500.0  # a plausible effect is smaller
 DETECTABLE = 6.0  # nats of evidence: less is no structure
@@ -90,7 +91,7 @@ class Tracer:
         self.scan_readings = readings if self.thin is None else readings.select(self.thin)
         self.colour = 0.0
         self._blocks = {n: evidence.blocks(readings, n) for n in (SHORT_BLOCKS, LONG_BLOCKS)}
-        self._signs = {n: evidence.flips(b[readings.point], permutations, seed) for n, b in self._blocks.items()}
+        self._signs = {n: evidence.flips(b, permutations, seed) for n, b in self._blocks.items()}
         self.steps: list[Step] = []
         self.log: list[str] = []
         self.roughness: list[Candidate] = []
@@ -116,7 +117,10 @@ class Tracer:
 
     @property
     def signs(self) -> np.ndarray:
-        return self._signs[LONG_BLOCKS if self.coloured else SHORT_BLOCKS]
+        """(permutations, rows of a scan) signs that turn whole blocks."""
+        table = self._signs[LONG_BLOCKS if self.coloured else SHORT_BLOCKS]
+        rows = self.row_block if self.thin is None else self.row_block[np.isin(self.readings.point, self.thin)]
+        return table[:, rows].astype(np.float32)
 
     def listen(self, fitted: Fit) -> None:
         """Take the colour of the noise from what a fit leaves: correlation of each reading with the one before."""
@@ -157,10 +161,6 @@ class Tracer:
     def scanned(self, rows: Rows) -> Rows:
         return rows if self.thin is None else rows.thinned(self.thin)
 
-    @property
-    def scan_signs(self) -> np.ndarray:
-        return self.signs if self.thin is None else self.signs[:, np.isin(self.readings.point, self.thin)]
-
     def scanner(self, rows: Rows) -> Scanner:
         return Scanner(self.scanned(rows), self.bank, self.readings.columns, self.places, self.thin)
 
@@ -192,7 +192,7 @@ class Tracer:
             self.rows_with(full, others), best.index, vectors_of(best.shape, self.readings.columns)
         )
         after = self.rows(full)
-        null = self.scanner(after).null_maxima(self.scan_signs)
+        null = self.scanner(after).null_maxima(self.signs)
         tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
         used = max(int(np.count_nonzero(full.weight)), 1)
         grams, base, mine = self.grams(full, others, [best])
@@ -226,7 +226,7 @@ class Tracer:
     # -- the loop ------------------------------------------------------------------------------------------------
     def add_effects(self, tell: Callable[[float, str], bool]):
         """Add effects one after another, each judged, all settled together."""
-        for number in range(MOST_EFFECTS):
+        for number in range(len(self.steps), MOST_EFFECTS):
             if not tell(0.1 + 0.15 * number, f"scanning for effect {number + 1}"):
                 raise Cancelled("cancelled")
             step = self._next(self.candidates)
@@ -280,15 +280,10 @@ class Tracer:
         errors = [grams.held_out(base + m) for m in mine]
         totals = np.array([e.sum() for e in errors])
         best = int(np.argmin(totals))
-        near = [i for i in range(len(plain)) if self._no_worse(errors[i], errors[best])]
+        near = [i for i in range(len(plain)) if evidence.no_worse(errors[i], errors[best])]
         near.sort(key=lambda i: (plain[i].handicap, totals[i]))
         rest = [i for i in np.argsort(totals) if i not in near]
         return [plain[i] for i in [*near, *rest]]
-
-    @staticmethod
-    def _no_worse(errors, best, within: float = 0.5) -> bool:
-        loss, spread = evidence.gain_statistics(errors, best)
-        return loss <= within * spread
 
     def _line(self, others, candidate: Candidate) -> bool:
         full = self.fit_with([*others, candidate])
@@ -353,6 +348,30 @@ class Tracer:
                 return True
         return False
 
+    def rescue(self, tell) -> bool:
+        """Where the leading name was refused it may be a compromise between two effects: try the pairs that the leaders
+        open, and keep one if both of its names stand.  Otherwise everything is as it was."""
+        refused = self.steps
+        full = self.fit_with(self.candidates)
+        rows = self.rows_with(full, [])
+        leaders = search(rows, self.readings, self.scanner(rows), self.names, self.groups)[:PAIRS]
+        best: tuple[float, list[Candidate]] = (max((c.score for c in leaders), default=0.0) + 25.0, [])
+        for first in leaders:
+            beside = self.rows_with(full, [first])
+            found = search(beside, self.readings, self.scanner(beside), self.names, self.groups, keep=10)
+            if found and first.score + found[0].score > best[0]:
+                best = (first.score + found[0].score, [first, found[0]])
+        if not best[1]:
+            return False
+        self.steps = [Step(c) for c in best[1]]
+        self.settle()
+        self.add_effects(tell)
+        self.review()
+        if any(s.refused for s in self.steps):
+            self.steps = refused
+            return False
+        return True
+
     def review(self):
         """Judge every effect beside all the others, and test whether it may carry its name."""
         self.listen(self.fit_with(self.candidates))
@@ -382,7 +401,7 @@ class Tracer:
             return "it does not hold beside the other effects"
         if step.selection < SELECTION:
             return f"only {step.selection:.0%} of the half-samples choose it"
-        apart = [o for o in others if not _same_place(o, c)]
+        apart = [o for o in others if not same_place(o, c)]
         full = self.fit_with(self.candidates)
         rows = self.rows_with(full, [*apart, c])
         used = int(np.count_nonzero(full.weight))
@@ -406,7 +425,7 @@ class Tracer:
         rows = self.scanned(self.rows(fitted))
         used = max(int(rows.lever.any(axis=1).sum()), 1)
         places = [c for c in self.places if component(ALL_SYMBOLS[c]).kind != "squareness"]
-        found, null = FreeScan(rows, self.scan_readings, self.names, places).best(self.scan_signs)
+        found, null = FreeScan(rows, self.scan_readings, self.names, places).best(self.signs)
         if not found:
             return Remainder()
         p, score = found[0].p, found[0].score
@@ -419,7 +438,7 @@ class Tracer:
         top = best[0]
         if p >= ALPHA:  # sign flips of a strong structure hide it: take it out of the null first
             clean = self.scanned(self.rows(self.fit_with([*model, surface_candidate(top)])))
-            _, null = FreeScan(clean, self.scan_readings, self.names, places).best(self.scan_signs)
+            _, null = FreeScan(clean, self.scan_readings, self.names, places).best(self.signs)
             p = min(p, evidence.p_value(score, null))
             if top.evidence > CERTAIN:
                 p = min(p, 1.0 / (len(null) + 1))
@@ -427,21 +446,3 @@ class Tracer:
         grams, base, mine = self.grams(fitted, model, [surface_candidate(top)])
         held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
         return Remainder(p, size, top, held)
-
-
-def surface_candidate(s: Surface) -> Candidate:
-    """A surface as a candidate (without a name); a shift is put on the body that its columns speak of."""
-    symbol = ALL_SYMBOLS[s.component]
-    c = component(symbol)
-    if not c.angular:
-        bodies = [b for b in "XYZ" if b in axes_of("*".join(s.columns))]
-        body = symbol[1] if symbol[1] in bodies or not bodies else bodies[0]
-        symbol = f"E{symbol[1]}{body}"
-    return Candidate(symbol, s.shape(), s.gain, np.zeros(s.mix.shape[1]), 1.0, 0.0)
-
-
-def _same_place(a: Candidate, b: Candidate) -> bool:
-    """Do two candidates move the same body part in the same way by a common column?"""
-    ca, cb = component(a.symbol), component(b.symbol)
-    alike = a.symbol == b.symbol or (not ca.angular and not cb.angular and ca.axis == cb.axis)
-    return alike and bool(set(a.shape.driver.split("*")) & set(b.shape.driver.split("*")))

@@ -210,7 +210,6 @@ def test_a_driver_that_jumps_from_reading_to_reading_shows_as_one_body_s_motion(
     assert effect["component"] == case.truth["unlogged"]["component"]
 
 
-@pytest.mark.xfail(reason="the amplitude takes the mean noise of all directions, and the motion is part of that noise")
 def test_the_size_of_a_motion_that_jumps_is_its_rms_over_the_readings(simulated):
     outcome, _, case = simulated(20042, "unlogged", 1, "XYFZ", "random", 400)
     [effect] = outcome.report["effects"]

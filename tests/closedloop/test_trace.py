@@ -181,7 +181,6 @@ def test_readings_along_diagonals_are_traced_like_vectors():
     assert set(outcome.report["noise"]["per_direction_um"]) == {"*"}
 
 
-@pytest.mark.xfail(reason="the flip is judged beside effects that already took it up, and must win by a factor of 8")
 @pytest.mark.parametrize("size", [2.0, 8.0])
 def test_a_direction_with_the_wrong_sign_is_pointed_out(size):
     simulated, machine = both("XYFZ", (10, -20, -150))

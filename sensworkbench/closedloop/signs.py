@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A direction of sensing with the wrong sign: found before anything is traced, because effects would absorb it.
+
+The components of an error share the carriages' rotations, so one direction read with the opposite sign spoils the fit
+of all three.  A direction that shares none (x on a gantry whose x motion nothing else sees) cannot be checked so.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..core.machine import Machine
+from .design import design
+from .fit import Fit, fit
+from .readings import Readings
+
+LEAST = 25.0  # log-likelihood that turning a sign must gain
+SHARE = 0.05  # and per reading of the directions together
+
+
+def flipped_directions(machine: Machine, readings: Readings, declared: Fit) -> list[int]:
+    """Directions of sensing (0, 1, 2) that fit the declared model much better with their sign turned; one at most."""
+    kinds, counts = np.unique(readings.kind, return_counts=True)
+    if len(kinds) < 3 or (kinds > 2).any():
+        return []
+    weights = dict(zip(kinds.tolist(), counts.tolist(), strict=True))
+
+    def likelihood(noise: dict) -> float:
+        return -sum(weights[k] * np.log(v) for k, v in noise.items())
+
+    reference = likelihood(declared.noise)
+    gains = {}
+    for kind in kinds.tolist():
+        turned = replace(readings, value=np.where(readings.kind == kind, -readings.value, readings.value))
+        gains[kind] = likelihood(fit(design(machine, turned), turned).noise) - reference
+    best = max(gains, key=lambda k: gains[k])
+    return [best] if gains[best] > max(LEAST, SHARE * readings.rows) else []
+
+
+def flipped_findings(kinds) -> list[dict]:
+    return [
+        {
+            "severity": "warning",
+            "code": "flipped-sign",
+            "message": f"with the sign of e{'xyz'[kind]} turned the declared model fits much better: nothing is traced "
+            "until the sign is settled; turn it, or state the convention in the header",
+            "line": 0,
+        }
+        for kind in kinds
+    ]
