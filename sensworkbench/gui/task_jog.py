@@ -157,8 +157,9 @@ class TaskJog:
         if not self._sized:  # measuring every cell takes longer than moving the machine
             self._sized = True
             self.table.resizeColumnsToContents()
-            for column in range(1, 5):
-                self.table.setColumnWidth(column, max(60, self.table.columnWidth(column)))
+            self.table.setColumnWidth(0, min(104, self.table.columnWidth(0)))
+            for column in range(1, 6):
+                self.table.setColumnWidth(column, max(47, self.table.columnWidth(column)))
         self._point()
         display.ask_for_frame()
 

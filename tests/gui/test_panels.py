@@ -243,6 +243,16 @@ def test_a_jog_takes_less_than_50_ms_of_work(machine, machine_doc):
     assert sorted(taken)[len(taken) // 2] < 0.05, taken
 
 
+def test_the_review_gives_way_to_a_panel_that_would_cover_the_model(machine, machine_doc):
+    run("Sens_Sensitivity")
+    run("Sens_Jog")
+    assert review.dock().isVisible() != review._overlaid()
+    screenshot("jog-room")
+    click("Cancel")
+    pump(400)
+    assert review.dock().isVisible()
+
+
 def test_jog_cancelled_puts_the_parts_back(machine, machine_doc):
     run("Sens_Sensitivity")
     pump(50)
