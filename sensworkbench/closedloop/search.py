@@ -91,6 +91,8 @@ def handicap(symbol: str, shape: Shape) -> float:
         cost += 0.5
     if shape.shape in ("power", "hysteresis"):
         cost += 2.0
+    if sum(part.startswith("temp_") for part in shape.driver.split("*")) > 1:
+        cost += 3.0  # two temperatures multiply nothing on a machine
     if shape.shape == "polynomial" and shape.driver.startswith("temp_"):
         cost += 8.0  # expansion is linear
     if shape.shape == "approach":
@@ -182,10 +184,9 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
     return better if better.gain > candidate.gain else candidate
 
 
-def _local_shapes(rows: Rows, leaders, columns, names) -> list[Candidate]:
-    """Polynomials of one column on the components that lead: too many to stand in the bank."""
+def polynomials(rows: Rows, symbols, columns, names) -> list[Candidate]:
+    """Polynomials of one column on some components: too many to stand in the bank."""
     out = []
-    symbols = list(dict.fromkeys(c.symbol for c in leaders))[:12]
     for symbol in symbols:
         for name in names:
             levels = len(np.unique(columns[name]))
@@ -241,7 +242,7 @@ def search(
     ranked = sorted(found.values(), key=lambda c: -score(c))
     best = score(ranked[0])
     near = [c for c in ranked if score(c) > best - max(within, 0.3 * abs(best))][:keep]
-    near += _local_shapes(rows, near, columns, names)
+    near += polynomials(rows, list(dict.fromkeys(c.symbol for c in near))[:12], columns, names)
     out = []
     refined = 0
     for c in sorted(near, key=lambda c: -score(c)):

@@ -24,7 +24,7 @@ from .freeform import FreeScan, normal_tail
 from .naming import beyond, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, handicap, refine, same_place, search, surface_candidate, vectors_of
+from .search import Candidate, handicap, polynomials, refine, same_place, search, surface_candidate, vectors_of
 from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
@@ -92,14 +92,12 @@ class Tracer:
         self.colour = 0.0
         self._blocks = {n: evidence.blocks(readings, n) for n in (SHORT_BLOCKS, LONG_BLOCKS)}
         self._signs = {n: evidence.flips(b, permutations, seed) for n, b in self._blocks.items()}
-        self.steps: list[Step] = []
-        self.log: list[str] = []
-        self.roughness: list[Candidate] = []
+        self.steps, self.log, self.roughness = [], [], []
 
     # -- noise that remembers -----------------------------------------------------------------------------------
     @property
     def coloured(self) -> bool:
-        """Is what is left correlated from reading to reading, so that smooth columns look better than they are?"""
+        """Is what is left correlated from reading to reading?  Then smooth columns look better than they are."""
         return self.colour > COLOURED
 
     @property
@@ -180,9 +178,7 @@ class Tracer:
         grams = evidence.BlockGrams(np.concatenate(parts, axis=1), self.readings.value * fitted.weight, self.row_block)
         return grams, base, mine
 
-    @property
-    def candidates(self) -> list[Candidate]:
-        return [s.candidate for s in self.steps]
+    candidates = property(lambda self: [s.candidate for s in self.steps])
 
     # -- evidence for one candidate ------------------------------------------------------------------------------
     def judge(self, others, best: Candidate) -> Step:
@@ -349,17 +345,23 @@ class Tracer:
         return False
 
     def rescue(self, tell) -> bool:
-        """Where the leading name was refused it may be a compromise between two effects: try the pairs that the leaders
-        open, and keep one if both of its names stand.  Otherwise everything is as it was."""
+        """A refused leader may be a compromise between two effects, or one term of a polynomial: try the pairs that the
+        leaders open and all polynomials, and keep what stands.  Else everything is as it was."""
         refused = self.steps
         full = self.fit_with(self.candidates)
         rows = self.rows_with(full, [])
         leaders = search(rows, self.readings, self.scanner(rows), self.names, self.groups)[:PAIRS]
-        best: tuple[float, list[Candidate]] = (max((c.score for c in leaders), default=0.0) + 25.0, [])
+        own = {c.key for c in self.candidates}
+        alone = [c.score for c in leaders if c.key in own]
+        best: tuple[float, list[Candidate]] = (max(alone, default=leaders[0].score if leaders else 0.0) + 25.0, [])
+        shaped = polynomials(rows, [ALL_SYMBOLS[c] for c in self.places], self.readings.columns, self.names)
+        for c in [*leaders, *shaped]:
+            if c.key not in own and c.score > best[0]:
+                best = (c.score, [c])
         for first in leaders:
             beside = self.rows_with(full, [first])
             found = search(beside, self.readings, self.scanner(beside), self.names, self.groups, keep=10)
-            if found and first.score + found[0].score > best[0]:
+            if found and first.score + found[0].score > best[0] + (25.0 if len(best[1]) < 2 else 0.0):
                 best = (first.score + found[0].score, [first, found[0]])
         if not best[1]:
             return False

@@ -65,7 +65,7 @@ PLAIN = {
 
 @dataclass(frozen=True)
 class Name:
-    """base : name without unit.  kind : quantity.  suffix : unit as written.  unit : internal one.  known : is it ours."""
+    """base : name without unit.  kind : quantity.  suffix : unit as written.  unit : internal one.  known : ours or not."""
 
     base: str
     kind: str

@@ -95,7 +95,8 @@ def main():
         data = expected(doc, machine)
         path.unlink(missing_ok=True)
         doc.saveAs(str(path))
-        path.with_suffix(".json").write_text(json.dumps(data, separators=(",", ":"), sort_keys=True) + "\n", encoding="utf-8")
+        text = json.dumps(data, separators=(",", ":"), sort_keys=True)
+        path.with_suffix(".json").write_text(text + "\n", encoding="utf-8")
         App.closeDocument(doc.Name)
 
 
