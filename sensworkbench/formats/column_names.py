@@ -65,7 +65,7 @@ PLAIN = {
 
 @dataclass(frozen=True)
 class Name:
-    """base : name without unit.  kind : quantity.  suffix : unit as written.  unit : internal one.  known : ours or not."""
+    """base : name without unit.  kind : quantity.  suffix : as written.  unit : internal one.  known : ours or not."""
 
     base: str
     kind: str
