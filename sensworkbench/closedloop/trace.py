@@ -69,7 +69,7 @@ def trace(
         named = _consistent(tracer)
     tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)
-    if structured and named and _pieces(tracer, named):
+    if structured and named and not tracer.coloured and _pieces(tracer, named):
         named = [s for s in named if not s.refused]
         tracer.polish(named)
         smooth, remainder, structured = _remainder(tracer, named)
