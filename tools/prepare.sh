@@ -7,12 +7,14 @@ set -euo pipefail
 have() { command -v "$1" >/dev/null 2>&1; }
 missing=()
 have python3 || missing+=(python3)
+system=/usr/bin/python3  # FreeCAD's: another python3 may come first on the path
+[ -x "$system" ] || system=python3
 have freecadcmd || have FreeCADCmd || missing+=(freecad)
 have xvfb-run || missing+=(xvfb)
 have xauth || missing+=(xauth)
 python3 -c 'import ensurepip, venv' 2>/dev/null || missing+=(python3-venv)
-python3 -c 'import numpy' 2>/dev/null || missing+=(python3-numpy)
-python3 -c 'import matplotlib' 2>/dev/null || missing+=(python3-matplotlib)
+"$system" -c 'import numpy' 2>/dev/null || missing+=(python3-numpy)
+"$system" -c 'import matplotlib' 2>/dev/null || missing+=(python3-matplotlib)
 if have dpkg-query; then
     for package in libgl1-mesa-dri python3-pivy; do  # software rendering; Coin for Python
         dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok' || missing+=("$package")
