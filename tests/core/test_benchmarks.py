@@ -26,7 +26,7 @@ def test_million_positions_part_states_times_memory_and_a_check_of_the_sums():
     found = part("million", "--positions", "20000", "--repetitions", "1")
     assert found["positions"] == 20000 and abs(found["check"]) < 1e-12
     assert found["floor_seconds"] > 0 and found["seconds"] > 0
-    assert found["omega_peak_mib"] <= found["peak_mib"] < 400
+    assert 0 < found["omega_peak_mib"] <= found["peak_mib"]  # a child starts with its parent's peak: no upper bound
 
 
 def test_openturns_part_is_exact():
