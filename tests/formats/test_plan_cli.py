@@ -147,7 +147,7 @@ def test_every_candidate_stands_in_the_table(place):
     with open(place / "out" / "candidates.csv", encoding="utf-8") as stream:
         rows = list(csv.DictReader(stream))
     assert len(rows) == checked(place / "out")["threshold"]["candidates"]
-    assert {"EAX", "EBW", "EZT"} <= {r["component"] for r in rows}  # squareness stands under its written form
+    assert {"EAX", "EBW", "EZZ"} <= {r["component"] for r in rows}  # what moves alike stands under its plainest name
     hidden = [r for r in rows if float(r["visible_share"]) < 0.05]
     assert hidden and all(r["smallest_um"] == "" for r in hidden)
 
