@@ -22,6 +22,9 @@ def add(verbs, triple, whole) -> None:
     verb.add_argument(
         "--through", metavar="X,Y,Z", type=triple, help="axis tables hold the error on lines through this (middle)"
     )
+    verb.add_argument(
+        "--positions", metavar="CSV", help="places and conditions for the predicted error (default: the workspace)"
+    )
     verb.set_defaults(run=_convert)
 
     verb = verbs.add_parser("import-errors", help="error tables of a controller into a machine", allow_abbrev=False)
@@ -44,6 +47,7 @@ def _convert(arguments) -> int:
 
     if cli.is_document(arguments.machine) and not cli.in_freecad():
         return cli.hand_over(arguments)
+    from sensworkbench.formats import readings_csv
     from sensworkbench.formats.exchange import convert
 
     if arguments.to not in convert.FORMATS_OUT:
@@ -53,6 +57,10 @@ def _convert(arguments) -> int:
         if arguments.to not in convert.AXIS_WRITERS:
             raise Refused(f"--through has no meaning for {arguments.to}", "--through", "Leave it out.")
         options["through"] = arguments.through
+    if arguments.positions is not None:
+        if arguments.to == "fcm":
+            raise Refused("--positions has no meaning for fcm", "--positions", "Leave it out.")
+        options["positions"] = readings_csv.load_positions(arguments.positions)
     machine = cli.load_machine(arguments.machine)
     written = convert.convert(machine, arguments.to, arguments.out, **options)
     for note in written.notes:

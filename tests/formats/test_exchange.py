@@ -554,8 +554,26 @@ def test_the_error_that_remains_is_that_of_the_workspace(fmt):
     written = write(m, fmt) if fmt in ("isg", "etalon") else write(m, fmt, through=None)
     text = statement(m, written)
     assert f"before compensation: rms {r.rms_before_um:.2f} um" in text
-    assert f"after compensation:  rms {r.rms_after_um:.2f} um" in text and "not known here: heat" in text
+    assert f"after compensation:  rms {r.rms_after_um:.2f} um" in text
+    assert "What positions alone decide" in text and "does not know: heat." in text
     assert remaining(machine(), "isg").max_after_um == pytest.approx(0, abs=1e-9)
+
+
+def test_at_given_places_a_temperature_that_no_table_knows_is_in_the_figures(tmp_path):
+    straight = {"EXX": machine().fitted["EXX"]}
+    m = machine(fitted=straight, effects=[HEAT])  # 1.5 um/K along y
+    path = tmp_path / "places.csv"
+    q = places(20)
+    rows = [[*p, 20 + k] for p in q for k in (10, -10)]
+    path.write_text("x_mm,y_mm,z_mm,temp_column_C\n" + "\n".join(",".join(f"{v:.9g}" for v in r) for r in rows) + "\n")
+    positions = readings_csv.load_positions(path)
+    r = remaining(m, "isg", positions)
+    assert r.left_out == () and r.rms_after_um == pytest.approx(15) and r.max_after_um == pytest.approx(15)
+    vectors = np.concatenate([error(m, q, temperature=k) for k in (10, -10)])
+    length = np.linalg.norm(vectors - vectors.mean(axis=0), axis=1) * 1e3
+    assert r.max_before_um == pytest.approx(length.max()) and r.max_before_um > 16
+    text = statement(m, write(m, "isg"), positions)
+    assert "at the 40 places given" in text and "after compensation:  rms 15.00 um, largest 15.00 um" in text
 
 
 def test_a_machine_without_errors_or_with_none_that_fit_is_refused(tmp_path):

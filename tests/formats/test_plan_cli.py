@@ -165,6 +165,8 @@ def test_every_candidate_stands_in_the_table(place):
         (("convert", "m.json", "--to", "isg", "--out", "out"), "golden"),
         (("convert", "fitted.json", "--to", "word", "--out", "out"), "word"),
         (("convert", "fitted.json", "--to", "isg", "--through", "1,2,3", "--out", "out"), "--through"),
+        (("convert", "fitted.json", "--to", "fcm", "--positions", "grid.csv", "--out", "out"), "--positions"),
+        (("convert", "fitted.json", "--to", "isg", "--positions", "none.csv", "--out", "out"), "none.csv"),
         (("import-errors", "m.json", "grid.csv", "--from", "isg", "--out", "out"), "grid.csv"),
         (("import-errors", "m.json", "grid.csv", "--from", "word", "--out", "out"), "word"),
         (("import-machine", "m.json", "--out", "out"), "m.json"),

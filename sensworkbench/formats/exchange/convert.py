@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from sensworkbench.closedloop.readings import Finding
+from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
@@ -115,8 +115,9 @@ def _line(text: str) -> str:
     return " ".join(text.split())
 
 
-def statement(machine: Machine, written: Written) -> str:
-    """What the files hold and what they do not, in words."""
+def statement(machine: Machine, written: Written, positions: Readings | None = None) -> str:
+    """What the files hold and what they do not, in words, with the predicted error at `positions` (default: the
+    workspace, whose grid knows no temperature, time or load)."""
     title = FORMATS.get(written.format, "FreeCAD CAM machine")
     lines = [f"{title}, from machine {_line(machine.name)} ({machine.structure})", ""]
     c = written.coverage
@@ -126,25 +127,35 @@ def statement(machine: Machine, written: Written) -> str:
         lines += ["", "Not covered:" if c.missing else "Everything is covered."]
         reasons = dict.fromkeys(why for _, why in c.missing)
         lines += [f"  {', '.join(n for n, w in c.missing if w == why)}: {why}." for why in reasons]
-        lines += ["", *_figures(remaining(machine, written.format, tables=written.tables)), ""]
+        figures = remaining(machine, written.format, positions, written.tables)
+        lines += ["", *_figures(figures, positions), ""]
     return "\n".join([*lines, *written.notes]) + "\n"
 
 
-def _figures(r: Remaining):
-    yield "Predicted error over the workspace (length of the error vector about its mean, both directions of approach):"
+def _figures(r: Remaining, positions: Readings | None):
+    workspace = "over the workspace, both directions of approach"
+    where = workspace if positions is None else f"at the {positions.points} places given"
+    part = "What positions alone decide of the predicted error" if r.left_out else "Predicted error"
+    yield f"{part} {where} (length of the error vector about its mean):"
     yield f"  before compensation: rms {r.rms_before_um:.2f} um, largest {r.max_before_um:.2f} um"
     yield f"  after compensation:  rms {r.rms_after_um:.2f} um, largest {r.max_after_um:.2f} um"
     if r.left_out:
-        yield f"  not in these figures, for their conditions are not known here: {', '.join(r.left_out)}"
+        yield "To both figures this adds, in full, before and after; how much depends on conditions that a grid of the"
+        yield f"workspace does not know: {', '.join(r.left_out)}."
+        yield "With --positions, a table of places and their conditions, it is in the figures."
 
 
-def convert(machine: Machine, fmt: str, outdir, **options) -> Written:
-    """Write the files of `fmt` and `statement.txt` into `outdir`, all of them or none."""
+def convert(machine: Machine, fmt: str, outdir, positions: Readings | None = None, **options) -> Written:
+    """Write the files of `fmt` and `statement.txt` into `outdir`, all of them or none.
+
+    positions : places and conditions at which the statement predicts the error that is left (default: the workspace).
+    """
     written = write(machine, fmt, **options)
+    said = statement(machine, written, positions)
     with staged(outdir) as folder:
         for name, text in written.files.items():
             write_text(folder / name, text)
-        write_text(folder / "statement.txt", statement(machine, written))
+        write_text(folder / "statement.txt", said)
     return written
 
 
