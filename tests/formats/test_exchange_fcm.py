@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD CAM machine files: both spellings of a joint, both unit systems, and nothing else of the file touched."""
+"""FreeCAD CAM machine files: both spellings of a joint, millimetres throughout, and nothing else of the file touched."""
 
 from __future__ import annotations
 
@@ -78,14 +78,40 @@ def test_both_spellings_and_orders_of_a_joint(joint):
     assert z.reference == (10, 20, 30) and z.direction == (0, 0, 1)
 
 
-def test_inches_become_millimetres_and_go_back():
+def test_a_file_in_inches_still_holds_millimetres():
+    """CAM's editor divides by 25.4 where it shows a limit and multiplies where one is typed: the file is metric."""
     data = mill(units="imperial")
     data["machine"]["axes"]["X"]["joint"]["origin"] = [1, 2, 3]
+    machine, findings = read(data)
+    assert machine.axes["X"].travel == (0, 510) and machine.axes["X"].reference == (1, 2, 3)
+    assert "units" in {f.code for f in findings} and "units" not in {f.code for f in read(mill())[1]}
+    back = json.loads(fcm.dumps(machine, base=json.dumps(data)))["machine"]
+    assert back["units"] == "imperial"
+    assert back["axes"]["X"]["limits"]["max"] == 510 and back["axes"]["X"]["joint"]["origin"] == [1, 2, 3]
+
+
+def test_what_the_file_leaves_out_is_what_cam_takes():
+    data = mill()
+    for key in ("limits", "role", "parent", "sequence", "type"):
+        data["machine"]["axes"]["X"].pop(key)
     machine, _ = read(data)
-    assert machine.axes["X"].travel == pytest.approx((0, 510 * 25.4))
-    assert machine.axes["X"].reference == pytest.approx((25.4, 50.8, 76.2))
-    back = json.loads(fcm.dumps(machine, base=json.dumps(data)))["machine"]["axes"]["X"]
-    assert back["limits"]["max"] == pytest.approx(510) and back["joint"]["origin"] == pytest.approx([1, 2, 3])
+    assert machine.axes["X"].travel == (0, 1000) and "X" in machine.workpiece_chain
+
+
+def test_an_axis_that_a_rotary_axis_carries_stands_outside_what_carries_that():
+    data = mill()
+    data["machine"]["axes"]["A"]["parent"] = "Y"
+    data["machine"]["axes"]["X"]["parent"] = "A"
+    machine, findings = read(data)
+    assert machine.workpiece_chain == ("Y", "X")
+    assert "chain-order" not in {f.code for f in findings}
+
+
+def test_a_base_frame_that_stands_elsewhere_is_said():
+    frame = {"base_frame": {"origin": [0, 0, 800], "orientation_quaternion": [0, 0, 0, 1]}}
+    assert "base-frame" in {f.code for f in read(mill(kinematics=frame))[1]}
+    frame["base_frame"]["origin"] = [0, 0, 0]
+    assert "base-frame" not in {f.code for f in read(mill(kinematics=frame))[1]}
 
 
 @pytest.mark.parametrize("chains", [((), ("X", "Y", "Z")), (("Y", "X"), ("Z",)), (("X",), ("Y", "Z"))])

@@ -2,8 +2,9 @@
 """FreeCAD CAM machine files (*.fcm, version 1): the three linear axes, their chains, directions, joints and limits.
 
 The schema is that of FreeCAD's src/Mod/CAM/Machine/models/machine.py.  Such a file knows neither tool point nor errors.
-`joint` is written as {"origin", "axis"}: FreeCAD takes the older list form for a direction as soon as the origin is
-not zero.
+Its lengths are millimetres whatever its `units` say: CAM's editor converts what it shows, not what it stores.  `joint`
+is written as {"origin", "axis"}: FreeCAD takes the list form, which it writes itself, for a direction as soon as the
+origin is not zero.
 """
 
 from __future__ import annotations
@@ -19,7 +20,8 @@ from sensworkbench.core.refusal import Refused
 
 from ..json_text import Place, parse
 
-INCH = 25.4
+UNITS = ("metric", "imperial")
+IDENTITY = ([0, 0, 0], [0, 0, 0, 1])
 ROLES = {"table_linear": "workpiece", "head_linear": "tool"}
 
 
@@ -34,24 +36,29 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
     if not isinstance(place.value, dict) or not isinstance(place.value.get("axes"), dict):
         raise place.refuse("the machine has no axes", "Save it from the machine editor of CAM.")
     units = place.value.get("units", "metric")
-    if units not in ("metric", "imperial"):
+    if units not in UNITS:
         raise place["units"].refuse(f"units {units!r} are unknown", 'Use "metric" or "imperial".')
-    scale = INCH if units == "imperial" else 1.0
     findings = []
+    if units == "imperial":
+        text = "imperial units are only how CAM shows the numbers: the file's lengths are taken as mm, as CAM stores them"
+        findings.append(Finding("warning", "units", text))
+    _base_frame(place, findings)
     linear: dict[str, Mapping] = {}
+    parents: dict[str, str | None] = {}
     for name, entry in place["axes"].members():
         if not isinstance(entry.value, dict):
             raise entry.refuse("an axis is an object")
+        parents[name.upper()] = _parent(entry)
         if entry.value.get("type", "linear") != "linear":
             findings.append(Finding("warning", "axis-ignored", f"axis {name} is rotary: it stays where it is"))
         elif name.upper() in AXES:
-            linear[name.upper()] = _axis(name, entry, scale)
+            linear[name.upper()] = _axis(name, entry)
         else:
             findings.append(Finding("warning", "axis-ignored", f"axis {name} is none of X, Y, Z: it stays where it is"))
     for name in AXES:
         if name not in linear:
             raise place["axes"].refuse(f"linear axis {name} is missing", "A machine has X, Y and Z.")
-    chains = {side: _chain(linear, side, findings) for side in ("workpiece", "tool")}
+    chains = {side: _chain(linear, parents, side, findings) for side in ("workpiece", "tool")}
     if tuple(tool_point) == (0.0, 0.0, 0.0):
         findings.append(Finding("warning", "tool-point", "the file knows no tool point: the origin is taken"))
     if all(a["origin"] == (0.0, 0.0, 0.0) for a in linear.values()):
@@ -67,24 +74,36 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
     return machine, tuple(findings)
 
 
-def _axis(name: str, entry: Place, scale: float) -> dict:
+def _base_frame(place: Place, findings) -> None:
+    frame = place.value.get("kinematics") or {}
+    frame = frame.get("base_frame") or {} if isinstance(frame, dict) else {}
+    if isinstance(frame, dict) and any(
+        frame.get(key, same) != same for key, same in zip(("origin", "orientation_quaternion"), IDENTITY)
+    ):
+        text = "the machine's base frame is moved or turned: everything is read in that frame, as the joints are"
+        findings.append(Finding("warning", "base-frame", text))
+
+
+def _parent(entry: Place) -> str | None:
+    parent = entry.value.get("parent")
+    return parent.upper() if isinstance(parent, str) else None
+
+
+def _axis(name: str, entry: Place) -> dict:
     role = entry.value.get("role", "table_linear")
     if role not in ROLES:
         raise entry["role"].refuse(f"role {role!r} is not that of a linear axis", f"Use {' or '.join(ROLES)}.")
     origin, direction = _joint(entry)
     limits = entry["limits"] if "limits" in entry else None
     low = limits["min"].number() if limits is not None and "min" in limits else 0.0
-    high = limits["max"].number() if limits is not None and "max" in limits else 1000.0 / scale
+    high = limits["max"].number() if limits is not None and "max" in limits else 1000.0
     if not low < high:
         raise entry.refuse(f"limits from {low:g} to {high:g} have no length", "Correct the limits.")
-    parent = entry.value.get("parent")
     return {
-        "name": name,
         "side": ROLES[role],
-        "origin": tuple(v * scale for v in origin),
+        "origin": origin,
         "direction": direction,
-        "travel": (low * scale, high * scale),
-        "parent": parent.upper() if isinstance(parent, str) else None,
+        "travel": (low, high),
         "sequence": entry["sequence"].number() if "sequence" in entry else 0,
     }
 
@@ -108,15 +127,15 @@ def _joint(entry: Place):
     return tuple(origin), tuple(v / length for v in axis)
 
 
-def _chain(linear, side: str, findings) -> tuple[str, ...]:
+def _chain(linear, parents, side: str, findings) -> tuple[str, ...]:
     """Axes of one side from the bed outwards: a parent carries its children; then by sequence, then as listed."""
     names = [k for k, a in linear.items() if a["side"] == side]
 
     def depth(name):
         seen, level = set(), 0
-        while name in linear and name not in seen:
+        while name in parents and name not in seen:
             seen.add(name)
-            name, level = linear[name]["parent"], level + 1
+            name, level = parents[name], level + 1
         return level
 
     keys = {k: (depth(k), linear[k]["sequence"]) for k in names}
@@ -132,20 +151,19 @@ def dumps(machine: Machine, base: str | None = None, source: str = "machine.fcm"
     if not isinstance(data, dict) or not isinstance(data.get("machine", {}), dict):
         raise Refused("this is not a FreeCAD machine", source, "Save it from the machine editor of CAM.")
     place = data.setdefault("machine", {})
-    scale = INCH if place.get("units") == "imperial" else 1.0
     axes = place.setdefault("axes", {})
     for chain, role in ((machine.workpiece_chain, "table_linear"), (machine.tool_chain, "head_linear")):
         for i, k in enumerate(chain):
             axis = machine.axes[k]
             axes[k] = {
-                "max_velocity": 10000 / scale,
+                "max_velocity": 10000,
                 **(axes.get(k) or {}),
                 "type": "linear",
                 "role": role,
                 "parent": chain[i - 1] if i else None,
                 "sequence": i,
-                "joint": {"origin": [v / scale for v in axis.reference], "axis": list(axis.direction)},
-                "limits": {"min": axis.travel[0] / scale, "max": axis.travel[1] / scale},
+                "joint": {"origin": list(axis.reference), "axis": list(axis.direction)},
+                "limits": {"min": axis.travel[0], "max": axis.travel[1]},
             }
     place["name"] = machine.name
     return json.dumps(data, indent=4, ensure_ascii=False, allow_nan=False) + "\n"
