@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD CAM machine files: both spellings of a joint, millimetres throughout, and nothing else of the file touched."""
+"""FreeCAD CAM machine files: both spellings of a joint, millimetres throughout, nothing else touched."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
         raise place["units"].refuse(f"units {units!r} are unknown", 'Use "metric" or "imperial".')
     findings = []
     if units == "imperial":
-        text = "imperial units are only how CAM shows the numbers: the file's lengths are taken as mm, as CAM stores them"
+        text = "imperial units are only how CAM shows them: lengths in the file are read as mm, as CAM stores them"
         findings.append(Finding("warning", "units", text))
     _base_frame(place, findings)
     linear: dict[str, Mapping] = {}
