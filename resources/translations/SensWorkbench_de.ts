@@ -634,6 +634,11 @@
       <translation>Bedeutung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Mends every row with a tick, as one undo step</source>
+      <translation>Repariert jede Zeile mit Häkchen, als ein einziger Rückgängig-Schritt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>Maßstab verschieben von</translation>
@@ -709,6 +714,11 @@
       <translation>Noch nicht gesucht.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Nothing is wrong with the machine's objects.</source>
+      <translation>An den Objekten der Maschine ist nichts auszusetzen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Nothing to explain</source>
       <translation>Nichts zu erklären</translation>
@@ -727,6 +737,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Objective</source>
       <translation>Zielgröße</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Objects of this document are damaged: Sens &gt; Repair Machine… mends them.</source>
+      <translation>Objekte dieses Dokuments sind beschädigt: Sens &gt; Maschine reparieren… behebt das.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
@@ -919,6 +934,26 @@
       <translation>Effekte entfernen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair</source>
+      <translation>Reparieren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair Machine…</source>
+      <translation>Maschine reparieren…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair machine</source>
+      <translation>Maschine reparieren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/viewproviders.py" />
+      <source>Repair machine…</source>
+      <translation>Maschine reparieren…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>Bericht…</translation>
@@ -1007,6 +1042,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Select one or more parts in the view or the tree first.</source>
       <translation>Zuerst ein oder mehrere Teile in Ansicht oder Baum wählen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Sens &gt; Repair Machine… lists all of them and mends them. Their data are kept.</source>
+      <translation>Sens &gt; Maschine reparieren… zeigt alle und repariert sie. Ihre Daten bleiben erhalten.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -2029,6 +2069,26 @@
       <translation>{axis} steht in keiner Spalte; sie stand bei</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} can be repaired; values that are there are kept.</source>
+      <translation>{count} lassen sich reparieren; vorhandene Werte bleiben erhalten.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} objects of Sens Workbench in “{name}” are damaged, such as:</source>
+      <translation>{count} Objekte von Sens Workbench in „{name}“ sind beschädigt, etwa:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} only you can settle; each row says how.</source>
+      <translation>{count} können nur Sie klären; jede Zeile sagt, wie.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} repaired. Undo takes it back.</source>
+      <translation>{count} repariert. Rückgängig nimmt es zurück.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>{do} (predicted difference {size} µm)</source>
       <translation>{do} (vorhergesagter Unterschied {size} µm)</translation>
@@ -2271,6 +2331,19 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Original Colours</source>
       <translation>Ursprüngliche Farben</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Repair</name>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Repair Machine…</source>
+      <translation>Maschine reparieren…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Says what is wrong with the objects of a machine and mends what can be mended</source>
+      <translation>Sagt, was an den Objekten einer Maschine nicht stimmt, und repariert, was sich reparieren lässt</translation>
     </message>
   </context>
   <context>

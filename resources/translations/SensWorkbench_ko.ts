@@ -634,6 +634,11 @@
       <translation>의미</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Mends every row with a tick, as one undo step</source>
+      <translation>체크 표시된 모든 행을 한 번의 실행 취소 단계로 고칩니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>스케일 이동 축</translation>
@@ -709,6 +714,11 @@
       <translation>아직 추적하지 않았습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Nothing is wrong with the machine's objects.</source>
+      <translation>기계 객체에 이상이 없습니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Nothing to explain</source>
       <translation>설명할 것 없음</translation>
@@ -727,6 +737,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Objective</source>
       <translation>목적 함수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Objects of this document are damaged: Sens &gt; Repair Machine… mends them.</source>
+      <translation>이 문서의 객체가 손상되었습니다: Sens &gt; 기계 복구…로 고칠 수 있습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/viewproviders.py" />
@@ -919,6 +934,26 @@
       <translation>효과 제거</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair</source>
+      <translation>복구</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair Machine…</source>
+      <translation>기계 복구…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Repair machine</source>
+      <translation>기계 복구</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/viewproviders.py" />
+      <source>Repair machine…</source>
+      <translation>기계 복구…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>보고서…</translation>
@@ -1007,6 +1042,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Select one or more parts in the view or the tree first.</source>
       <translation>먼저 화면이나 트리에서 부품을 하나 이상 선택하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>Sens &gt; Repair Machine… lists all of them and mends them. Their data are kept.</source>
+      <translation>Sens &gt; 기계 복구…에서 모두 확인하고 고칠 수 있습니다. 데이터는 유지됩니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/commands.py" />
@@ -2029,6 +2069,26 @@
       <translation>{axis} 열이 없음. 고정 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} can be repaired; values that are there are kept.</source>
+      <translation>{count}개를 고칠 수 있으며, 남아 있는 값은 그대로 유지됩니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} objects of Sens Workbench in “{name}” are damaged, such as:</source>
+      <translation>“{name}”에 있는 Sens Workbench 객체 {count}개가 손상되었습니다. 예:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} only you can settle; each row says how.</source>
+      <translation>{count}개는 사용자만 해결할 수 있으며, 각 행에 방법이 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_repair.py" />
+      <source>{count} repaired. Undo takes it back.</source>
+      <translation>{count}개를 고쳤습니다. 실행 취소로 되돌릴 수 있습니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>{do} (predicted difference {size} µm)</source>
       <translation>{do} (예측 차이 {size} µm)</translation>
@@ -2271,6 +2331,19 @@
       <location filename="../../sensworkbench/gui/commands.py" />
       <source>Original Colours</source>
       <translation>원래 색상</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Repair</name>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Repair Machine…</source>
+      <translation>기계 복구…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/commands.py" />
+      <source>Says what is wrong with the objects of a machine and mends what can be mended</source>
+      <translation>기계 객체의 이상을 알려 주고 고칠 수 있는 것을 고칩니다</translation>
     </message>
   </context>
   <context>

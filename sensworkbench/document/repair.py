@@ -24,6 +24,7 @@ CLASSES = {
     for c in vars(module).values()
     if isinstance(c, type) and issubclass(c, SensObject) and c.kind
 }
+_TYPES = ("App::DocumentObjectGroupPython", "App::FeaturePython")
 RESULT_LISTS = (
     ("Symbols", "Owners", "First", "Total", "TotalMax", "FirstWeighted", "TotalWeighted", "Lower", "Upper", "Units",
      "Distributions"),
@@ -48,6 +49,16 @@ class Finding:
 def examine(doc) -> list[Finding]:
     """All that is wrong with our objects in a document; nothing is changed."""
     return [finding for obj in doc.Objects if _ours(obj) for finding in _examine(obj)]
+
+
+def present(doc) -> bool:
+    """Whether a document holds objects of ours, sound or not; cheap enough to be asked whenever a menu is updated."""
+    return doc is not None and any(_ours(obj) for kind in _TYPES for obj in doc.findObjects(kind))
+
+
+def examine_object(obj) -> list[Finding]:
+    """All that is wrong with one object; nothing for one that is not ours."""
+    return list(_examine(obj)) if _ours(obj) else []
 
 
 def repair(doc) -> list[Finding]:

@@ -66,7 +66,7 @@ class Command:
         try:
             self.run()
         except Refused as error:
-            messages.show(error.message)
+            messages.refused(error, App.ActiveDocument)
         if busy():
             from . import review
 

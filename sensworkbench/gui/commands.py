@@ -65,6 +65,25 @@ class EditMachine(Command):
         edit_machine(current_machine(), body)
 
 
+class Repair(Command):
+    name = "Sens_Repair"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Repair", "Repair Machine…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Repair", "Says what is wrong with the objects of a machine and mends what can be mended"
+    )
+    needs_machine = False
+
+    def IsActive(self):
+        from ..document.repair import present
+
+        return not busy() and present(App.ActiveDocument)
+
+    def run(self):
+        from .task_repair import open_panel
+
+        open_panel(App.ActiveDocument)
+
+
 class _Example(Command):
     needs_machine = False
     code = ""
@@ -251,7 +270,7 @@ class ErrorMap(Command):
 
 
 COMMANDS = (
-    NewMachine, MachineFromAssembly, EditMachine, ExampleXYFZ, ExampleFXYZ, ExampleYFXZ, Examples, Tolerances,
+    NewMachine, MachineFromAssembly, EditMachine, Repair, ExampleXYFZ, ExampleFXYZ, ExampleYFXZ, Examples, Tolerances,
     Sensitivity, Review, OriginalColours, ErrorMap, Jog, Report, *loop_commands.COMMANDS,
 )  # fmt: skip
 
@@ -278,7 +297,8 @@ def toolbars() -> list[tuple[str, list[str]]]:
 
 def menu() -> list[str]:
     return [
-        "Sens_Machine", "Sens_MachineFromAssembly", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances", "Separator",
+        "Sens_Machine", "Sens_MachineFromAssembly", "Sens_Example", "Sens_EditMachine", "Sens_Tolerances",
+        "Sens_Repair", "Separator",
         "Sens_Sensitivity", "Sens_Review", "Sens_Jog", "Sens_ErrorMap", "Sens_OriginalColours", "Separator",
         "Sens_Report", "Separator",
         *loop_commands.names(),

@@ -22,6 +22,20 @@ def show(text: str, title: str = "Sens Workbench"):
     return box
 
 
+def refused(error: Refused, doc):
+    """Show a refusal; where the document is damaged, with the command that mends it."""
+    return show(error.message + repair_hint(doc))
+
+
+def repair_hint(doc) -> str:
+    """A sentence that names Repair Machine where that would mend something, else ""."""
+    from ..document import repair
+
+    if doc is None or not any(finding.mendable for finding in repair.examine(doc)):
+        return ""
+    return "\n\n" + translate("Sens", "Objects of this document are damaged: Sens > Repair Machine… mends them.")
+
+
 @contextmanager
 def transaction(doc, name: str):
     """One undo step: everything inside, or nothing when it raises."""
@@ -41,7 +55,7 @@ def change(doc, name: str, function) -> bool:
         with transaction(doc, name):
             function()
     except Refused as error:
-        show(error.message)
+        refused(error, doc)
         return False
     except Cancelled:
         status(translate("Sens", "Cancelled; nothing was changed"))

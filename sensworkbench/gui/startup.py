@@ -16,6 +16,7 @@ __all__ = ["begin", "icon_path", "translate"]
 
 _observer: list = []
 _waiting: set[str] = set()
+_seen: set[str] = set()  # documents that were looked at for damage
 
 
 def begin() -> None:
@@ -74,8 +75,35 @@ def adopt_soon(doc) -> None:
 _EMPTY = {"App::PropertyXLinkSub": None, "App::PropertyXLink": None, "App::PropertyXLinkSubList": []}
 
 
+def look_soon(doc) -> None:
+    """Say once, when a document with damaged objects of ours has been opened, what mends them."""
+    name = doc.Name
+    if name in _seen:
+        return
+    _seen.add(name)
+
+    def look():
+        document = App.getDocument(name) if name in App.listDocuments() else None
+        if document is None:
+            _seen.discard(name)
+        elif getattr(document, "Restoring", False):
+            later(look, 20)
+        elif document.FileName and any(hasattr(o, "SensType") for o in document.Objects):
+            from .task_repair import announce
+
+            announce(document)
+
+    later(look)
+
+
 class Observer:
-    """Sees undo and redo; what opens is told by its objects when they are restored."""
+    """Sees documents open, undo and redo; sound objects tell themselves when they are restored."""
+
+    def slotActivateDocument(self, doc):
+        look_soon(doc)
+
+    def slotDeletedDocument(self, doc):
+        _seen.discard(doc.Name)
 
     def slotDeletedObject(self, obj):
         # FreeCAD 1.0 cannot undo the making of an object whose links it has yet to take back ("invalid container", and

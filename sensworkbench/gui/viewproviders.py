@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from ..document.base import kind_of
+from ..document.base import alive, kind_of
 from . import settings
 from .colormap import MAPS
 from .files import icon_path, tree_icon
@@ -46,20 +46,30 @@ class ViewProviderSens:
         return App.getDocument(document).getObject(name)
 
     def getIcon(self):
-        return tree_icon(self.icon)
+        obj = self.object
+        return tree_icon(self.icon if obj is None or alive(obj) else DAMAGED)
 
     def menu(self) -> list[tuple[str, str]]:
         """(text, command) of the context menu."""
         return []
 
+    def entries(self, obj) -> list[tuple[str, str]]:
+        """The context menu of an object as it is: a damaged one offers its repair as well."""
+        from ..document.repair import examine_object
+
+        damaged = examine_object(obj)
+        if any(finding.mendable for finding in damaged):
+            return [_repair(), *self.menu()]
+        return [*self.menu(), *([_repair()] if damaged else [])]
+
     def setupContextMenu(self, vobj, menu):
-        for text, command in self.menu():
+        for text, command in self.entries(vobj.Object):
             action = QtGui.QAction(QtGui.QIcon(icon_path(command)), text, menu)
             action.triggered.connect(_runner(command, vobj.Object))
             menu.addAction(action)
 
     def doubleClicked(self, vobj):
-        entries = self.menu()
+        entries = self.entries(vobj.Object)
         if not entries:
             return False
         _runner(entries[0][1], vobj.Object)()
@@ -76,6 +86,13 @@ class ViewProviderSens:
 
     def __setstate__(self, state):
         return None
+
+
+DAMAGED = "Sens_Damaged"
+
+
+def _repair() -> tuple[str, str]:
+    return translate("Sens", "Repair machine…"), "Sens_Repair"
 
 
 def _runner(command: str, obj):
@@ -208,6 +225,8 @@ class ViewProviderSensitivity(ViewProviderSens):
             self.schedule()
 
     def onChanged(self, vobj, prop):
+        if prop == "Visibility":
+            show_late(vobj)
         if prop in _VIEW:
             self.schedule()
 
@@ -266,6 +285,7 @@ def dress(obj) -> None:
         from .residuals import dress as dress_readings
 
         dress_readings(obj, kind_of(obj))
+        attach_late(obj.ViewObject)
         return
     kind, view = PROVIDERS.get(kind_of(obj)), getattr(obj, "ViewObject", None)
     if kind is None or view is None:
@@ -274,5 +294,30 @@ def dress(obj) -> None:
         kind(view)
     elif kind is ViewProviderSensitivity:
         view.Proxy._declare(view)
+    attach_late(view)
     if hasattr(view, "signalChangeIcon"):
         view.signalChangeIcon()  # the tree may have asked before the view provider stood
+
+
+def attach_late(view) -> None:
+    """FreeCAD attaches a view provider once, when its object is made or opened: what a repair gives it comes later.
+
+    Then there is no display mode for its nodes until the document is opened again; they get a switch of their own.
+    """
+    if hasattr(view.Proxy, "name"):
+        return
+    from pivy import coin
+
+    view.Proxy.attach(view)
+    modes = view.SwitchNode
+    if modes.getNumChildren() and not view.DisplayMode:
+        view.Proxy.late = coin.SoSwitch()
+        view.Proxy.late.addChild(modes.getChild(0))
+        view.RootNode.addChild(view.Proxy.late)
+        show_late(view)
+
+
+def show_late(view) -> None:
+    late = getattr(view.Proxy, "late", None)
+    if late is not None:
+        late.whichChild.setValue(0 if view.Visibility else -1)
