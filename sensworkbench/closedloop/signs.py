@@ -20,21 +20,36 @@ LEAST = 25.0  # log-likelihood that turning a sign must gain
 SHARE = 0.05  # and per reading of the directions together
 
 
-def flipped_directions(machine: Machine, readings: Readings, declared: Fit) -> list[int]:
-    """Directions of sensing (0, 1, 2) that fit the declared model much better with their sign turned; one at most."""
+def likelihood(readings: Readings, fitted: Fit) -> float:
+    """Log-likelihood of a fit whose noise is estimated for each direction of sensing, up to a constant."""
     kinds, counts = np.unique(readings.kind, return_counts=True)
-    if len(kinds) < 3 or (kinds > 2).any():
+    return -sum(n * np.log(fitted.noise[k]) for k, n in zip(kinds.tolist(), counts.tolist(), strict=True))
+
+
+def turned(readings: Readings, kind: int) -> Readings:
+    """The readings with one direction of sensing read with the opposite sign."""
+    return replace(readings, value=np.where(readings.kind == kind, -readings.value, readings.value))
+
+
+def checkable(readings: Readings) -> list[int]:
+    """The directions of sensing that can be held against each other: all three, or none."""
+    kinds = np.unique(readings.kind).tolist()
+    return kinds if kinds == [0, 1, 2] else []
+
+
+def flipped_directions(machine: Machine, readings: Readings, declared: Fit) -> list[int]:
+    """Directions of sensing (0, 1, 2) that fit the declared model much better with their sign turned; one at most.
+
+    A strong undeclared effect can look the same: what effects explain on either side must still decide.
+    """
+    kinds = checkable(readings)
+    if not kinds:
         return []
-    weights = dict(zip(kinds.tolist(), counts.tolist(), strict=True))
-
-    def likelihood(noise: dict) -> float:
-        return -sum(weights[k] * np.log(v) for k, v in noise.items())
-
-    reference = likelihood(declared.noise)
+    reference = likelihood(readings, declared)
     gains = {}
-    for kind in kinds.tolist():
-        turned = replace(readings, value=np.where(readings.kind == kind, -readings.value, readings.value))
-        gains[kind] = likelihood(fit(design(machine, turned), turned).noise) - reference
+    for kind in kinds:
+        other = turned(readings, kind)
+        gains[kind] = likelihood(other, fit(design(machine, other), other)) - reference
     best = max(gains, key=lambda k: gains[k])
     return [best] if gains[best] > max(LEAST, SHARE * readings.rows) else []
 

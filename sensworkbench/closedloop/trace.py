@@ -17,13 +17,14 @@ from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
 from .effects import effect_motion
+from .fit import fit
 from .naming import slow_columns, smooth_shape
 from .outcome import Outcome
 from .readings import Readings
 from .report import TraceReport
 from .scan import exact_gain
 from .search import Candidate, surface_candidate, vectors_of
-from .signs import flipped_directions
+from .signs import LEAST, checkable, flipped_directions, likelihood, turned
 from .surface import separable, sharpen
 from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer
 from .unlogged import Unlogged, uneven_noise, unlogged_driver
@@ -60,9 +61,12 @@ def trace(
         )
     if not tell(0.05, "declared model fitted"):
         raise Cancelled("cancelled")
-    flipped = flipped_directions(machine, readings, declared)
+    flipped = _settled_signs(tracer, flipped_directions(machine, readings, declared), tell)
     if not flipped:
         tracer.add_effects(tell)
+        flipped = _simpler_signs(tracer)
+        if flipped:
+            tracer.steps = []
         tracer.review()
     named = _consistent(tracer)
     if not named and any(s.significant for s in tracer.steps) and not tracer.coloured and tracer.rescue(tell):
@@ -78,6 +82,47 @@ def trace(
     hidden = None if structured else _unlogged(tracer, [*[s.candidate for s in named], *smooth])
     verdict = _verdict(tracer, named, structured, hidden)
     return TraceReport(tracer, declared, named, smooth, remainder, structured, hidden, verdict, flipped).outcome(tell)
+
+
+def _settled_signs(tracer: Tracer, suspected: list[int], tell) -> list[int]:
+    """The suspected direction, if turning its sign explains the readings with less than effects alone do.
+
+    A turned sign looks like effects and a strong effect like a turned sign: both stories are told to their end.
+    """
+    for kind in suspected:
+        scores = []
+        for readings in (tracer.readings, turned(tracer.readings, kind)):
+            t = Tracer(tracer.machine, readings, seed=tracer.seed, permutations=tracer.permutations, floor=tracer.floor)
+            t.add_effects(tell)
+            scores.append(likelihood(readings, t.fit_with(t.candidates)) - LEAST * len(t.steps))
+        if scores[1] > scores[0] + LEAST:
+            return [kind]
+    return []
+
+
+def _simpler_signs(tracer: Tracer) -> list[int]:
+    """The direction that, read with its sign turned, makes some of the effects needless.  Too weak to be seen beside an
+    effect at first, a turned sign is otherwise traced as effects of its own."""
+    found = tracer.candidates
+    score = likelihood(tracer.readings, tracer.fit_with(found)) - LEAST * len(found)
+    best, flipped = score + LEAST / 2, []
+    for kind in checkable(tracer.readings) if found else []:
+        readings = turned(tracer.readings, kind)
+
+        def with_(effects, readings=readings):
+            return likelihood(readings, fit(tracer.design, readings, tracer.columns_of(effects)))
+
+        kept, value = list(found), with_(found)
+        while kept and value > best:
+            fewer = [[k for k in kept if k is not c] for c in kept]
+            values = [with_(rest) for rest in fewer]
+            i = int(np.argmax(values))
+            if value - values[i] > LEAST:
+                break
+            kept, value = fewer[i], values[i]
+        if value - LEAST * len(kept) > best:
+            best, flipped = value - LEAST * len(kept), [kind]
+    return flipped
 
 
 def without_known_effects(machine: Machine, readings: Readings) -> Readings:

@@ -15,6 +15,8 @@ from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.workspace import Cancelled
+from sensworkbench.formats import machine_json, readings_csv
+from tests.simulator import make_case, write_case
 
 from .support import both, measured, rms_um, scattered, session
 
@@ -191,6 +193,28 @@ def test_a_direction_with_the_wrong_sign_is_pointed_out(size):
     assert warned(readings) == []
     [message] = warned(replace(readings, value=np.where(readings.kind == 1, -readings.value, readings.value)))
     assert "ey" in message
+
+
+def simulated_case(tmp_path, *what):
+    write_case(tmp_path, make_case(*what))
+    return machine_json.load(tmp_path / "machine.json"), readings_csv.load(tmp_path / "measured.csv")
+
+
+def test_a_strong_effect_is_not_taken_for_a_wrong_sign(tmp_path):
+    machine, readings = simulated_case(tmp_path, 200042, "overhang", 1)  # the declared model alone prefers -ez
+    outcome = trace(machine, readings, seed=1)
+    assert outcome.report["verdict"] == "explained"
+    assert outcome.report["error"]["augmented"]["in_sample"]["rms_um"] < 1.6
+
+
+def test_a_wrong_sign_is_pointed_out_beside_an_effect(tmp_path):
+    machine, readings = simulated_case(tmp_path, 31012, "following", 1)
+    assert trace(machine, readings, seed=1).report["verdict"] == "explained"
+    turned = replace(readings, value=np.where(readings.kind == 2, -readings.value, readings.value))
+    report = trace(machine, turned, seed=1).report
+    assert report["effects"] == [] and report["verdict"] == "unexplained"
+    [message] = [f["message"] for f in report["findings"] if f["code"] == "flipped-sign"]
+    assert "the sign of ez" in message
 
 
 def test_outliers_are_listed_by_their_line(bent):
