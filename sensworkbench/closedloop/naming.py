@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.errors import component
 from .bank import DIRECTIONS, POSITIONS, Shape
 from .freeform import free_form, normal_score, subspace_gain
 from .scan import Rows, Scanner
@@ -81,6 +82,38 @@ def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int,
         size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
         if normal_score(gain, dims) > BEYOND_SCORE and size > BEYOND_SIZE:
             return f"a free form of {what} on {candidate.symbol} explains more than this shape"
+    return ""
+
+
+def stand_in(candidate: Candidate, others, columns, names) -> str:
+    """Why a finding on temperatures and time is but a stand-in for a column that was not logged ("" if it is none).
+
+    Any slow curve can be pieced together from other slow curves.  Two pieces on one motion, one of them bent, or the
+    product of two of them, have no physics; a single temperature may have.
+    """
+    slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {"t"}
+
+    def parts(c: Candidate) -> tuple[set[str], set[str]]:
+        factors = set(c.shape.driver.split("*"))
+        return factors & slow, factors - slow
+
+    def bent(c: Candidate) -> bool:
+        twice = c.shape.factors > len(set(c.shape.driver.split("*")))
+        timed = "t" in parts(c)[0] and c.shape.shape not in ("approach", "step")
+        return c.shape.shape in ("polynomial", "power") or twice or timed
+
+    def motion(c: Candidate):
+        at = component(c.symbol)
+        return c.symbol if at.angular else at.axis
+
+    mine, rest = parts(candidate)
+    if len(mine) > 1:
+        return f"the product of {' and '.join(sorted(mine))} stands in for something slow that was not logged"
+    for o in others if mine else ():
+        theirs, same = parts(o)
+        if theirs and same == rest and motion(o) == motion(candidate) and (bent(o) or bent(candidate)):
+            both = " and ".join(sorted(mine | theirs))
+            return f"pieces of {both} on one motion stand in for something slow that was not logged"
     return ""
 
 

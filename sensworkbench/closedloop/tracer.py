@@ -21,7 +21,7 @@ from .bank import Shape, bank, log_tail, useful_columns
 from .design import ALL_SYMBOLS, Design, alike, design
 from .fit import Fit, basis, fit
 from .freeform import FreeScan, normal_tail
-from .naming import beyond, stands_out
+from .naming import beyond, stand_in, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
 from .search import Candidate, handicap, polynomials, refine, same_place, search, surface_candidate, vectors_of
@@ -407,12 +407,11 @@ class Tracer:
         full = self.fit_with(self.candidates)
         rows = self.rows_with(full, [*apart, c])
         used = int(np.count_nonzero(full.weight))
-        reason = beyond(rows, c, self.readings.columns, self.names, used, self.inflation)
-        if reason:
-            return reason
-        if self.amplitude_um(c) > LARGEST_UM:
+        table, names = self.readings.columns, self.names
+        reason = stand_in(c, others, table, names) or beyond(rows, c, table, names, used, self.inflation)
+        if not reason and self.amplitude_um(c) > LARGEST_UM:
             return f"{self.amplitude_um(c):.0f} um is no plausible size"
-        return ""
+        return reason
 
     def amplitude_um(self, c: Candidate) -> float:
         """3-D rms over the points, um."""

@@ -10,8 +10,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from sensworkbench.closedloop.bank import Shape
+from sensworkbench.closedloop.naming import stand_in
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
+from sensworkbench.closedloop.search import Candidate
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.workspace import Cancelled
@@ -215,6 +218,33 @@ def test_a_wrong_sign_is_pointed_out_beside_an_effect(tmp_path):
     assert report["effects"] == [] and report["verdict"] == "unexplained"
     [message] = [f["message"] for f in report["findings"] if f["code"] == "flipped-sign"]
     assert "the sign of ez" in message
+
+
+def candidate(symbol, driver, shape="linear", **parameters) -> Candidate:
+    return Candidate(symbol, Shape(driver, shape, parameters), 100.0, np.ones(1), 1.0, 0.0)
+
+
+def test_pieces_of_slow_columns_are_no_names_but_one_temperature_is():
+    t = np.linspace(0, 9000, 300)
+    columns = {"x": np.tile([-1.0, 1.0], 150), "t": t, "temp_a": t / 1000, "temp_b": np.sqrt(t), "spindle": t > 3000}
+    said = lambda c, *others: stand_in(c, others, columns, list(columns))  # noqa: E731
+    lag = candidate("EYX", "temp_a", "lag", tau=900.0)
+    assert said(lag) == said(lag, candidate("EYX", "temp_b")) == ""  # two causes, each in proportion
+    bent = candidate("EYZ", "temp_b", "power", exponent=1.4)  # both shift along Y
+    assert "temp_a and temp_b on one motion" in said(lag, bent) and "on one motion" in said(bent, lag)
+    assert said(lag, candidate("EXX", "temp_b", "power", exponent=1.4)) == ""  # another motion
+    assert said(lag, candidate("EYX", "temp_b*x", "polynomial", degree=2)) == ""  # grows with x: another motion
+    assert said(lag, candidate("EYX", "t", "approach", tau=300.0)) == ""  # a warm-up
+    assert "on one motion" in said(lag, candidate("EYX", "t", "polynomial", degree=2))
+    assert "the product of temp_a and temp_b" in said(candidate("EAX", "temp_a*temp_b"))
+    assert said(lag, candidate("EYX", "spindle*spindle", "lag", tau=300.0)) == ""  # a spindle is no temperature
+
+
+def test_what_other_temperatures_piece_together_gets_no_name(tmp_path):
+    machine, readings = simulated_case(tmp_path, 41003, "missing", 1)  # the column that bends is hidden
+    report = trace(machine, readings, seed=1).report
+    assert report["verdict"] == "unexplained" and report["effects"] == []
+    assert all("not logged" in r["why"] for r in report["refused_names"]) and len(report["refused_names"]) == 2
 
 
 def test_outliers_are_listed_by_their_line(bent):
