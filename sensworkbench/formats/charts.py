@@ -96,6 +96,7 @@ def _inline(svg: str, alt: str) -> Html:
     """matplotlib's file as an element of a page: no prologue, ids of its own, the page's ink."""
     svg = svg[svg.index("<svg") :]
     svg = re.sub(r"<metadata>.*?</metadata>\s*", "", svg, flags=re.DOTALL)
+    svg = re.sub(r' d="[^"]*"', _hundredths, svg)
     svg = svg.replace(INK, "currentColor")
     mark = f"c{next(_numbers)}-"
     svg = re.sub(r'\bid="', f'id="{mark}', svg)
@@ -105,6 +106,11 @@ def _inline(svg: str, alt: str) -> Html:
     svg = re.sub(r' xmlns(?::xlink)?="[^"]*"', "", svg)
     svg = re.sub(r"font-family: [^;\"]*|'DejaVu Sans'(, [^;\"]*)?", lambda m: _family(m.group()), svg)
     return Html(svg.replace("<svg ", f'<svg role="img" aria-label="{text(alt)}" ', 1).strip())
+
+
+def _hundredths(path: re.Match) -> str:
+    """Coordinates of a path to a hundredth of a point: half the size of a page of arrows."""
+    return re.sub(r"-?\d+\.\d{3,}", lambda m: f"{float(m.group()):.2f}".rstrip("0").rstrip("."), path.group())
 
 
 def _family(found: str) -> str:
@@ -239,7 +245,7 @@ def histogram(series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int
     return drawing.svg
 
 
-def arrows(q, series: Mapping[str, np.ndarray], unit: str = "µm", limit: int = 600, alt: str = "") -> Html | None:
+def arrows(q, series: Mapping[str, np.ndarray], unit: str = "µm", limit: int = 300, alt: str = "") -> Html | None:
     """Vectors at places in three views (XY, XZ, YZ), one row per series, all on one scale.
 
     q : (P, 3) mm.  series : name -> (P, 3) in `unit`.  At most `limit` places are drawn, evenly chosen.

@@ -114,6 +114,14 @@ def parameter_words(entry) -> str:
     return (", ".join(words) + " " + unit_words(entry.get("unit", ""))).replace("-", "−").strip()
 
 
+def p_words(p: float, data) -> str:
+    """A p-value, or that it is below what so few permutations can show."""
+    count = data.get("permutations")
+    if count and p <= 1.0001 / (count + 1):
+        return f"≤ {p:.2g} (the smallest that {count} permutations can show)"
+    return f"{p:.2g}"
+
+
 def _findings(data, outcome) -> Html:
     if not data["effects"]:
         return Html("")
@@ -126,7 +134,7 @@ def _findings(data, outcome) -> Html:
             ("Shape", e["shape"]),
             *((k, parameter_words(v)) for k, v in e["parameters"].items()),
             ("Amplitude", f"{um(e['amplitude_um'])} µm (3-D rms over the readings)"),
-            ("Family-wise p", f"{e['p_familywise']:.2g}"),
+            ("Family-wise p", p_words(e["p_familywise"], data)),
             ("Found again in half-samples", f"{e['selection_frequency']:.0%}"),
         ]
         if e.get("usual_size"):
@@ -195,6 +203,10 @@ def _driver_chart(entry, outcome) -> Html | None:
         series["effect as fitted"] = fitted
     line = (driver[order], fitted[order]) if single_valued else None
     label = driver_words(effect.driver)
+    coefficient = entry["parameters"].get("coefficient")
+    per = coefficient.get("unit", "").partition("/")[2] if isinstance(coefficient, Mapping) else ""
+    if per:
+        label += f", {per}" + (" above 20 °C" if per == "K" else "")
     alt = f"{effect.component} against {label}"
     return charts.scatter(driver, series, label, f"{effect.component}, {unit}", line=line, alt=alt)
 
@@ -261,9 +273,9 @@ def _remainder(data) -> Html:
     if rest:
         pairs.append(("What is left", rest["words"]))
         if rest.get("p") is not None:
-            pairs.append(("p that it is noise", f"{rest['p']:.2g}"))
+            pairs.append(("p that it is noise", p_words(rest["p"], data)))
     if data["depends_on"]:
-        listed = ", ".join(f"{d['column']} (p = {d['p']:.2g})" for d in data["depends_on"])
+        listed = ", ".join(f"{d['column']} (p: {p_words(d['p'], data)})" for d in data["depends_on"])
         pairs.append(("The residual of the declared model depends on", listed))
     parts = [html.facts(pairs)]
     if data.get("refused_names"):
@@ -324,6 +336,20 @@ def _bullets(items) -> Html:
     return html.element("ul", *(html.element("li", i) for i in items))
 
 
+def _null_space(sentences):
+    """The same advice once, over all the sets of parameters that it holds for."""
+    sets: dict[str, list[str]] = {}
+    for sentence in sentences:
+        names, told, advice = sentence.partition(" cannot be told apart")
+        sets.setdefault(told + advice, []).append(names)
+    for advice, names in sets.items():
+        if not advice or len(names) == 1:
+            yield _bullets(n + advice for n in names)
+        else:
+            yield html.paragraph(f"Each of these sets{advice}:")
+            yield _bullets(names)
+
+
 def _limits(data) -> Html:
     known = data["identifiability"]
     parts = [
@@ -332,7 +358,7 @@ def _limits(data) -> Html:
         )
     ]
     if known["null_space"]:
-        parts += [html.element("h3", "Not told apart by this plan"), _bullets(known["null_space"])]
+        parts += [html.element("h3", "Not told apart by this plan"), *_null_space(known["null_space"])]
     if data["not_testable"]:
         rows = [(t["effect"], t["needs"]) for t in data["not_testable"]]
         parts.append(html.table(["Not testable", "Needs a column"], rows))
