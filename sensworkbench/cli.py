@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import importlib
+import importlib.util
 import os
 import sys
 import tempfile
@@ -167,6 +168,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         arguments = parser().parse_args(_joined(argv))
         arguments.argv = argv
+        if importlib.util.find_spec("numpy") is None:
+            return _run_on_freecads_numpy(argv)
         return arguments.run(arguments)
     except Refused as refused:
         say(refused.message, sys.stderr)
@@ -178,6 +181,18 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # noqa: BLE001 - the last line of defence: a defect is reported, never shown raw
         _report_defect(error)
         return DEFECT
+
+
+def _run_on_freecads_numpy(argv: Sequence[str]) -> int:
+    """This Python has no numpy, but FreeCAD brings one: run the same command inside it."""
+    handoff = importlib.import_module("sensworkbench.document.handoff")
+    try:
+        handoff.freecadcmd()
+    except Refused:
+        what = "numpy is missing from this Python, and there is no FreeCAD to run in"
+        do = "Install numpy for it, use another Python, or install FreeCAD, which brings numpy."
+        raise Refused(what, sys.executable, do) from None
+    return handoff.run(argv)
 
 
 def say(text: str, stream=None) -> None:

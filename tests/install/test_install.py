@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import ast
 import builtins
+import os
+import subprocess
+import sys
 
 import pytest
 import startup
@@ -140,3 +143,29 @@ def test_start_up_loads_nothing_heavy(home, bare_home, gui):
     ours = {m for m in added if m.startswith("sensworkbench")}
     assert not {m for m in ours if m.split(".")[1:2] in (["core"], ["closedloop"], ["formats"])}
     assert bool(ours) is gui
+
+
+def bare(tmp_path, *words, **environment):
+    """The command line run by a Python that has none of its packages, numpy included; returns the ended process."""
+    machine = ROOT / "resources" / "examples" / "gantry.json"
+    command = [sys.executable, "-S", "-m", "sensworkbench", *words[:1], str(machine), *words[1:]]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
+    return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=300)
+
+
+def test_where_a_python_has_no_numpy_the_command_runs_on_freecads(tmp_path):
+    ended = bare(tmp_path, "sensitivity", "--out", "review")
+    assert ended.returncode == 0 and ended.stderr == ""
+    assert sorted(p.name for p in (tmp_path / "review").iterdir()) == [
+        "report.html",
+        "sensitivity.csv",
+        "sensitivity.json",
+    ]
+    assert bare(tmp_path, "sensitivity", "--weights", "0,0,0", "--out", "none").returncode == 2
+    assert not (tmp_path / "none").exists()
+
+
+def test_without_numpy_and_without_freecad_it_says_what_is_missing(tmp_path):
+    ended = bare(tmp_path, "sensitivity", "--out", "review", PATH=str(tmp_path), SENS_FREECADCMD="")
+    assert ended.returncode == 2 and "numpy is missing" in ended.stderr and len(ended.stderr.splitlines()) == 1
+    assert "Traceback" not in ended.stderr and not (tmp_path / "review").exists()
