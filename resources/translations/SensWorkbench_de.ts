@@ -114,7 +114,7 @@
       <translation>Automatisch</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Back to the default</source>
       <translation>Zurück zur Vorgabe</translation>
     </message>
@@ -157,6 +157,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Check on the machine</source>
       <translation>An der Maschine zu prüfen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Choose …</source>
+      <translation>Wählen …</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -272,6 +277,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Direction: {vector} ({source})</source>
       <translation>Richtung: {vector} ({source})</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Directions of rails, screws and long edges, the longest first</source>
+      <translation>Richtungen von Schienen, Spindeln und langen Kanten, die längsten zuerst</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -584,6 +594,11 @@
       <translation>Aussehen des Ergebnisses</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Looking for rails, screws, and what touches them…</source>
+      <translation>Schienen, Spindeln und was sie berührt werden gesucht…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Lower</source>
       <translation>Untere</translation>
@@ -692,6 +707,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Noise of one reading {noise} µm</source>
       <translation>Rauschen eines Messwerts {noise} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Not looked at yet: {names}</source>
+      <translation>Noch nicht angesehen: {names}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -877,6 +897,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Proposed from rails, screws and contacts: check everything.</source>
+      <translation>Vorgeschlagen nach Schienen, Spindeln und Berührungen: bitte alles prüfen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1154,7 +1179,7 @@
       <translation>Hält an; das alte Ergebnis bleibt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Structure</source>
       <translation>Struktur</translation>
     </message>
@@ -1167,6 +1192,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Structure: {code}</source>
       <translation>Aufbau: {code}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>Suggested</source>
+      <translation>Vorschläge</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1189,7 +1219,7 @@
       <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Take</source>
       <translation>Nehmen</translation>
     </message>
@@ -1204,7 +1234,7 @@
       <translation>Gilt als</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Takes the coordinate system, datum, edge, face or part that is selected</source>
       <translation>Nimmt das gewählte Koordinatensystem, Bezugselement, die Kante, Fläche oder das Teil</translation>
     </message>
@@ -1237,6 +1267,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file says so in line {line}.</source>
       <translation>Die Datei sagt es in Zeile {line}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>The geometry does not show which part is which: choose bed and carriages.</source>
+      <translation>Die Geometrie zeigt nicht, welches Teil was ist: Bett und Schlitten wählen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1319,7 +1354,7 @@
       <translation>Toleranzen…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Tool point</source>
       <translation>Werkzeugpunkt</translation>
     </message>
@@ -1654,12 +1689,12 @@
       <translation>wie programmiert</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>at its centre of mass</source>
       <translation>an seinem Schwerpunkt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>at its placement</source>
       <translation>an seiner Platzierung</translation>
     </message>
@@ -1759,17 +1794,17 @@
       <translation>ignoriert</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local X</source>
       <translation>sein lokales X</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local Y</source>
       <translation>sein lokales Y</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local Z</source>
       <translation>sein lokales Z</translation>
     </message>

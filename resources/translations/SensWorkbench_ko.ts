@@ -114,7 +114,7 @@
       <translation>자동</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Back to the default</source>
       <translation>기본값으로</translation>
     </message>
@@ -157,6 +157,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Check on the machine</source>
       <translation>기계에서 확인할 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Choose …</source>
+      <translation>선택 …</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -272,6 +277,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Direction: {vector} ({source})</source>
       <translation>방향: {vector} ({source})</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Directions of rails, screws and long edges, the longest first</source>
+      <translation>레일, 나사, 긴 모서리의 방향 (가장 긴 것부터)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -584,6 +594,11 @@
       <translation>결과의 모양</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Looking for rails, screws, and what touches them…</source>
+      <translation>레일, 나사와 이에 닿는 부품을 찾는 중…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Lower</source>
       <translation>하한</translation>
@@ -692,6 +707,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Noise of one reading {noise} µm</source>
       <translation>측정값 하나의 잡음 {noise} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Not looked at yet: {names}</source>
+      <translation>아직 확인하지 않음: {names}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -877,6 +897,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Proposed from rails, screws and contacts: check everything.</source>
+      <translation>레일, 나사, 접촉을 보고 제안했습니다. 모두 확인하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1154,7 +1179,7 @@
       <translation>중지합니다. 이전 결과는 그대로입니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Structure</source>
       <translation>구조</translation>
     </message>
@@ -1167,6 +1192,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Structure: {code}</source>
       <translation>구조: {code}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>Suggested</source>
+      <translation>제안</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1189,7 +1219,7 @@
       <translation>표 (*.csv *.txt *.tsv);;모든 파일 (*)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Take</source>
       <translation>사용</translation>
     </message>
@@ -1204,7 +1234,7 @@
       <translation>용도</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>Takes the coordinate system, datum, edge, face or part that is selected</source>
       <translation>선택한 좌표계, 데이텀, 모서리, 면 또는 부품을 사용합니다</translation>
     </message>
@@ -1237,6 +1267,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file says so in line {line}.</source>
       <translation>파일 {line}번째 줄에 적혀 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>The geometry does not show which part is which: choose bed and carriages.</source>
+      <translation>형상만으로는 부품을 구분할 수 없습니다. 베드와 이송대를 선택하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1319,7 +1354,7 @@
       <translation>공차…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Tool point</source>
       <translation>공구점</translation>
     </message>
@@ -1654,12 +1689,12 @@
       <translation>프로그램된 값</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>at its centre of mass</source>
       <translation>무게 중심</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>at its placement</source>
       <translation>배치 위치</translation>
     </message>
@@ -1759,17 +1794,17 @@
       <translation>무시</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local X</source>
       <translation>로컬 X</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local Y</source>
       <translation>로컬 Y</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <location filename="../../sensworkbench/gui/sources.py" />
       <source>its local Z</source>
       <translation>로컬 Z</translation>
     </message>

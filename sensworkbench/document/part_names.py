@@ -17,15 +17,25 @@ _WORDS = (
     ("Y", r"saddle|cross ?slide|kreuzschlitten|새들"),
     ("X", r"table|tisch|gantry|bridge|portal|테이블"),
 )
+# named after the axis that they serve, not after the one that they ride on
+_SERVES = re.compile(
+    r"\bways?\b|rail|\bguides?\b|guideway|f(ü|ue)hrung|schiene|screw|gewinde|motor|scale|encoder|ma(ß|ss)stab|레일|나사|모터",
+    re.I,
+)
 WORKPIECE_SIDE = re.compile(r"table|tisch|saddle|cross ?slide|kreuzschlitten|workpiece|pallet|테이블|새들", re.I)
 TOOL_POINT = re.compile(r"tool.?(point|tip|centre|center)|\btcp\b|\btip\b|werkzeugspitze|공구", re.I)
 
 
 def guess(label: str) -> str:
-    """Body that a part of this name belongs to: F, X, Y, Z, T, W, or "" where the name says nothing."""
+    """Body that a part of this name belongs to: F, X, Y, Z, T, W, or "" where the name says nothing.
+
+    Rails, screws, motors and scales are often called by the letter of their axis but belong to either side of it: "".
+    """
     text = label.replace("_", " ").strip()
     text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)  # CarriageX -> Carriage X
     text = re.sub(r"\d+$", "", text)
+    if _SERVES.search(text):
+        return ""
     words = [body for body, pattern in _WORDS[:1] if re.search(pattern, text, re.I)]
     if words:
         return words[0]

@@ -17,8 +17,9 @@ from ..core.errors import AXES
 from ..core.refusal import Refused
 from . import contacts, factory
 from .contacts import Guide, Piece
+from .imported import apart, is_one_lump, pieces_of, split, whole_containers  # noqa: F401 - part of this module's face
 from .part_names import TOOL_POINT, WORKPIECE_SIDE, guess
-from .paths import Place, _is_datum, leaves, place, places
+from .paths import Place, _is_datum, place
 
 NEAR = 5.0  # mm: what stands this close to a body, and slides on nothing, belongs to it
 ASSUMED_TRAVEL = 100.0  # mm to either side, where no rail says how far
@@ -44,7 +45,10 @@ class AxisProposal:
 
 @dataclass
 class MachineProposal:
-    """Parts of the bed ("F") and of each carriage, chains from the bed outwards, axes, and what is uncertain."""
+    """Parts of the bed ("F") and of each carriage, chains from the bed outwards, axes, travels in mm, and points.
+
+    T and W have parts where names tell spindle and workpiece.  notes : what is uncertain.
+    """
 
     parts: dict[str, list[Place]]
     workpiece_chain: list[str]
@@ -54,53 +58,9 @@ class MachineProposal:
     tool_point: tuple | None
     left_out: list[Place] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-
-
-# -- parts -----------------------------------------------------------------------------------------------------------
-def pieces_of(objects) -> list[Piece]:
-    """Everything with solids at or below the objects (objects or links), each once."""
-    found = []
-    for where in places(objects if isinstance(objects, (list, tuple)) else [objects]):
-        for leaf in leaves(where):
-            shape = leaf.shape()
-            if shape is not None and shape.Solids:
-                found.append(Piece(leaf, shape.Solids))
-    return found
-
-
-def is_one_lump(objects) -> bool:
-    """Whether the parts of a machine are hidden in one or few compounds that have to be split first."""
-    pieces = pieces_of(objects)
-    return bool(pieces) and len(pieces) < 4 and sum(len(p.solids) for p in pieces) > len(pieces)
-
-
-def split(obj) -> list:
-    """Give each solid of a compound an object of its own, in an App::Part where the compound stands; returns them.
-
-    The compound stays, hidden.  Refuses an object with fewer than two solids.  Opens no transaction.
-    """
-    solids = obj.Shape.Solids if hasattr(obj, "Shape") else []
-    if len(solids) < 2:
-        raise Refused(f"{obj.Label!r} holds {len(solids)} solid", obj.Label, "Choose an object of several solids.")
-    doc, outer = obj.Document, obj.getParentGeoFeatureGroup()
-    holder = doc.addObject("App::Part", f"{obj.Name}_parts")
-    holder.Label = f"{obj.Label}, parts"
-    if outer is not None:
-        outer.addObject(holder)
-    made = []
-    for number, solid in enumerate(solids, 1):
-        part = doc.addObject("Part::Feature", f"Solid{number:03d}")
-        part.Label = f"{obj.Label} {number}"
-        part.Shape = solid
-        holder.addObject(part)
-        made.append(part)
-    if getattr(obj, "ViewObject", None) is not None:
-        for part in made:
-            if hasattr(obj.ViewObject, "ShapeColor"):
-                part.ViewObject.ShapeColor = obj.ViewObject.ShapeColor
-        obj.ViewObject.Visibility = False
-    doc.recompute()
-    return made
+    references: dict[str, App.Vector] = field(default_factory=dict)  # mm, document coordinates
+    reasons: dict[str, str] = field(default_factory=dict)  # body ("F", "X" ...) or "tool point": why, in words
+    directions: list[AxisProposal] = field(default_factory=list)  # all that were found, best first
 
 
 # -- axes ------------------------------------------------------------------------------------------------------------
@@ -293,17 +253,22 @@ class _Builder:
         work, tool = self._sides(branches)
         parts = {"F": [p.where for p in self.members(bed)]}
         by_axis, travel = {}, {}
+        references, reasons = {}, {"F": f"what stands lowest and carries the others, {len(parts['F'])} parts"}
         for branch, on_work in ((work, True), (tool, False)):
             for pair, outer in branch:
                 name = letter[pair]
                 parts[name] = [p.where for p in self.members(outer)]
                 by_axis[name] = self._axis(name, directions[pair], pair, axes)
-                travel[name] = self._travel(pair, outer, by_axis[name].direction, on_work)
+                travel[name], limits = self._travel(pair, outer, by_axis[name].direction, on_work)
+                references[name], middle = self._reference(pair)
+                reasons[name] = f"direction: {by_axis[name].why}; reference: {middle}; travel: {limits}"
         for p in self.left_out:
             self.notes.append(f"{self.pieces[p].label!r} touches nothing: left out.")
+        tip, reasons["tool point"] = self._tool_point(tool[-1][1] if tool else bed)
         return MachineProposal(
-            parts, [letter[pair] for pair, _ in work], [letter[pair] for pair, _ in tool], by_axis, travel,
-            self._tool_point(tool[-1][1] if tool else bed), [self.pieces[p].where for p in self.left_out], self.notes,
+            _with_ends(parts, work, tool, letter), [letter[pair] for pair, _ in work],
+            [letter[pair] for pair, _ in tool], by_axis, travel, tip,
+            [self.pieces[p].where for p in self.left_out], self.notes, references, reasons, axes,
         )  # fmt: skip
 
     def _bed(self) -> int:
@@ -358,8 +323,18 @@ class _Builder:
         why = f"{guide.kind} {self.pieces[guide.piece].label!r}"
         return AxisProposal(name, u, source, reverse, guide.length, score, why)
 
-    def _travel(self, pair, outer: int, u: App.Vector, on_work: bool) -> tuple[float, float]:
-        """As far as what slides stays on every rail."""
+    def _reference(self, pair) -> tuple[App.Vector, str]:
+        """The middle of all that slides on the rails (or the screw) between two bodies, and how it was found."""
+        kind = max(self.edges[pair], key=lambda s: (s.guide.kind == "rail", s.guide.length)).guide.kind
+        riders = {s.on for s in self.edges[pair] if s.guide.kind == kind}
+        total = App.BoundBox()
+        for p in riders:
+            total.add(self.pieces[p].box)
+        names = ", ".join(repr(self.pieces[p].label) for p in sorted(riders)[:2]) + (" …" if len(riders) > 2 else "")
+        return total.Center, f"the middle of what slides on the {kind}s: {names}"
+
+    def _travel(self, pair, outer: int, u: App.Vector, on_work: bool) -> tuple[tuple[float, float], str]:
+        """As far as what slides stays on every rail, and how it was found."""
         low, high = [], []
         rails: dict[Guide, list] = {}
         for s in self.edges[pair]:
@@ -377,12 +352,12 @@ class _Builder:
         if not low or max(low) >= min(high):
             label = self.members(outer)[0].label
             self.notes.append(f"No rail says how far {label!r} goes: {ASSUMED_TRAVEL:g} mm to either side is assumed.")
-            return -ASSUMED_TRAVEL, ASSUMED_TRAVEL
+            return (-ASSUMED_TRAVEL, ASSUMED_TRAVEL), "assumed"
         ends = (max(low), min(high))
-        return (-ends[1], -ends[0]) if on_work else ends
+        return (-ends[1], -ends[0]) if on_work else ends, "as far as the blocks stay on the rails"
 
-    def _tool_point(self, body: int) -> tuple | None:
-        """The centre of the lowest round edge about the vertical on the body that carries the tool."""
+    def _tool_point(self, body: int) -> tuple[tuple | None, str]:
+        """The centre of the lowest round edge about the vertical on the body that carries the tool, and in words."""
         best = None
         for piece in self.members(body):
             shape = piece.where.shape()
@@ -390,8 +365,26 @@ class _Builder:
                 if isinstance(edge.Curve, Part.Circle) and abs(edge.Curve.Axis.z) > 0.999:
                     key = (round(edge.Curve.Center.z, 3), -edge.Curve.Radius)
                     if best is None or key < best[0]:
-                        best = (key, (piece.where.root, f"{piece.where.path}Edge{n}"))
-        return best[1] if best else None
+                        best = (key, (piece.where.root, f"{piece.where.path}Edge{n}"), piece.label)
+        if best is None:
+            return None, "no round edge about the vertical: take the tool's tip by hand"
+        return best[1], f"the lowest round edge on the side of the tool, of {best[2]!r}"
+
+
+def _with_ends(parts: dict[str, list[Place]], work, tool, letter) -> dict[str, list[Place]]:
+    """Spindle (T) and workpiece (W) out of the last carriages, where their names say so; whole containers as such."""
+    for body, branch in (("W", work), ("T", tool)):
+        last = letter[branch[-1][0]] if branch else "F"
+        named = [where for where in parts[last] if _named(where, body)]
+        if named and len(named) < len(parts[last]):
+            parts[body] = named
+            parts[last] = [where for where in parts[last] if where not in named]
+    return whole_containers(parts)
+
+
+def _named(where: Place, body: str) -> bool:
+    """Whether the name of a part, or of the innermost container whose name says anything, is that of a body."""
+    return next((g for o in reversed(where.chain) if (g := guess(o.Label))), "") == body
 
 
 def machine_from_parts(doc, objects, *, proposal: MachineProposal | None = None, tool_point=None, travel=None,
@@ -402,11 +395,8 @@ def machine_from_parts(doc, objects, *, proposal: MachineProposal | None = None,
     Refuses, with nothing made, where the geometry does not show a machine.  Opens no transaction.
     """
     if proposal is None:
-        if is_one_lump(objects):
-            lumps = [p.where.object for p in pieces_of(objects) if len(p.solids) > 1]
-            objects = [part for lump in lumps for part in split(lump)]
-        proposal = propose_machine(objects)
-    tool_point = tool_point or _named_tool_point(doc) or proposal.tool_point
+        proposal = propose_machine(apart(objects))
+    tool_point = tool_point or named_tool_point(doc) or proposal.tool_point
     machine = factory.make_machine(
         doc, proposal.workpiece_chain, proposal.tool_chain, bed=proposal.parts["F"], tool_point=tool_point, label=label
     )
@@ -415,15 +405,30 @@ def machine_from_parts(doc, objects, *, proposal: MachineProposal | None = None,
         factory.make_axis(
             machine, name, proposal.parts[name], travel=(travel or {}).get(name, proposal.travel[name]),
             direction=axis.source, reverse=axis.reverse,
+            reference=reference_point(doc, name, proposal.references.get(name)),
         )  # fmt: skip
+    for name in ("T", "W"):
+        if proposal.parts.get(name):
+            factory.make_body(machine, name, proposal.parts[name])
     for note in proposal.notes:
         App.Console.PrintWarning(f"{machine.Label}: {note}\n")
     doc.recompute()
     return machine
 
 
-def _named_tool_point(doc):
+def reference_point(doc, name: str, at: App.Vector | None):
+    """A vertex where the reference point of an axis is proposed, to be moved to the scale; None where none is."""
+    if at is None:
+        return None
+    point = doc.addObject("Part::Vertex", f"Reference{name}")
+    point.Label = f"Reference {name} (proposed)"
+    point.Placement.Base = at
+    return point, "Vertex1"
+
+
+def named_tool_point(doc):
+    """A coordinate system, datum or point whose name says that it is the tool's tip, or None."""
     for obj in doc.Objects:
-        if _is_datum(obj) and TOOL_POINT.search(obj.Label):
+        if (_is_datum(obj) or obj.TypeId == "Part::Vertex") and TOOL_POINT.search(obj.Label):
             return place(obj)
     return None

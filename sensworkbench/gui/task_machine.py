@@ -12,11 +12,14 @@ import itertools
 from ..core.errors import AXES
 from ..core.machine import structure_chains
 from ..core.refusal import Refused
+from ..core.workspace import Cancelled
 from ..document import factory, paths, refresh
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
 from .preferences import combo, number_box, read_field, write_field
+from .proposal_note import ProposalNote, watch
 from .qt import Qt, QtGui, buttons, translate
+from .sources import Source, along_choices, reference_choices, source_words, vector_words
 from .texts import body_kind
 
 BODIES = ("F", "X", "Y", "Z", "T", "W")
@@ -44,9 +47,9 @@ def words_of(links) -> str:
 
 
 class TaskMachine:
-    """The panel; its transaction is open when it is made."""
+    """The panel; its transaction is open when it is made.  proposed : what was guessed, to be checked, or None."""
 
-    def __init__(self, machine, body: str | None = None):
+    def __init__(self, machine, body: str | None = None, proposed: proposal.Proposal | None = None):
         self.machine, self.document = machine, machine.Document
         self.body = body or "F"
         self._quiet = False
@@ -55,6 +58,8 @@ class TaskMachine:
         self.form.setWindowTitle(machine.Label)
         self.form.setWindowIcon(QtGui.QIcon(messages.icon("SensWorkbench")))
         layout = QtGui.QVBoxLayout(self.form)
+        self.guess = ProposalNote(proposed or proposal.Proposal())
+        layout.addWidget(self.guess)
         layout.addWidget(self._chains())
         layout.addWidget(self._bodies())
         layout.addWidget(self._page())
@@ -126,6 +131,9 @@ class TaskMachine:
         line.addWidget(self.reverse)
         rows.addRow(translate("Sens", "Direction from"), self.direction)
         rows.addRow("", line)
+        self.suggested = self.guess.directions_box(self._take_suggested)
+        if self.suggested is not None:
+            rows.addRow(translate("Sens", "Suggested"), self.suggested)
         self.reference = Source(self._take_reference, lambda: self._set_source("ReferenceSource", None))
         self.at = combo(list(zip(REFERENCE_CHOICES, reference_choices())))
         self.at.currentIndexChanged.connect(lambda *_: self._set_on_body("ReferenceAt", read_field(self.at)))
@@ -147,6 +155,7 @@ class TaskMachine:
         self.found.setTextInteractionFlags(Qt.TextSelectableByMouse)
         rows.addRow(self.found)
         self._axis_only = [self.direction, self.along, self.reverse, self.lower, self.upper]
+        self._axis_only += [self.suggested] if self.suggested is not None else []
         self._body_only = [self.reference, self.at]
         return self.page
 
@@ -176,6 +185,7 @@ class TaskMachine:
                 item = self.table.topLevelItem(i)
                 item.setText(1, words_of(self.links(body)) or translate("Sens", "(none)"))
                 item.setToolTip(1, item.text(1))
+                item.setIcon(0, self.guess.icon(body))
                 if body == self.body:
                     self.table.setCurrentItem(item)
             self.page.setTitle(body_kind(self.body))
@@ -208,7 +218,10 @@ class TaskMachine:
         finally:
             self._quiet = False
         pointers.forget(machine)
-        pointers.show(machine, [self.body] if self.body != "F" else [])
+        if self.body != "F":
+            pointers.show(machine, [self.body])
+        else:  # a proposal begins with all of its axes in view
+            pointers.show(machine, AXES if self.guess.given else [])
 
     def _found_words(self, owner) -> str:
         if self.body == "F" or owner is None or self.machine.Problem:
@@ -216,9 +229,9 @@ class TaskMachine:
         lines = []
         if self.body in AXES:
             lines.append(translate("Sens", "Direction: {vector} ({source})").format(
-                vector=_vector(owner.Direction, 4), source=owner.DirectionFrom))  # fmt: skip
+                vector=vector_words(owner.Direction, 4), source=owner.DirectionFrom))  # fmt: skip
         lines.append(translate("Sens", "Reference point: {vector} mm ({source})").format(
-            vector=_vector(owner.ReferencePoint, 2), source=owner.ReferenceFrom))  # fmt: skip
+            vector=vector_words(owner.ReferencePoint, 2), source=owner.ReferenceFrom))  # fmt: skip
         offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in AXES)
         lines.append(translate("Sens", "Abbe offset here: {offset} mm").format(offset=offset))
         return "\n".join(lines)
@@ -233,7 +246,9 @@ class TaskMachine:
     def _body_chosen(self, item, *_):
         if not self._quiet and item is not None:
             self.body = item.data(0, Qt.UserRole)
+            self.guess.look_at(self.body)
             self.show()
+            self.guess.light_up(self.machine, self.body)
 
     def _try(self, function) -> None:
         """Change something; a refusal is shown and everything else stays."""
@@ -254,11 +269,13 @@ class TaskMachine:
     def _set_on_body(self, name, value):
         owner = self.owner
         if not self._quiet and owner is not None and hasattr(owner, name):
+            self.guess.drop(self.body, name)
             self._try(lambda: setattr(owner, name, value))
 
     def _structure_changed(self, *_):
         def change():
             workpiece, tool = structure_chains(read_field(self.structure))
+            self.guess.drop("structure")
             self.machine.WorkpieceChain, self.machine.ToolChain = list(workpiece), list(tool)
 
         self._try(change)
@@ -274,6 +291,7 @@ class TaskMachine:
     def set_parts(self, links) -> None:
         def change():
             value = paths.as_links(links)
+            self.guess.drop(self.body, "Parts")
             if self.body == "F":
                 self.machine.Bed = value
                 return
@@ -289,7 +307,11 @@ class TaskMachine:
         return paths.as_sub(chosen[0])
 
     def _take_tool_point(self):
-        self._try(lambda: setattr(self.machine, "ToolPoint", self._one()))
+        def change():
+            self.machine.ToolPoint = self._one()
+            self.guess.drop("tool point")
+
+        self._try(change)
 
     def _take_direction(self):
         self._try(lambda: self._put_source("DirectionSource", self._one()))
@@ -306,6 +328,18 @@ class TaskMachine:
             owner = factory.make_body(self.machine, self.body)
         if owner is not None and hasattr(owner, name):
             setattr(owner, name, value)
+            self.guess.drop(self.body, name)
+
+    def _take_suggested(self, axis) -> None:
+        """One of the directions that the geometry suggests becomes that of the chosen axis."""
+
+        def change():
+            self.owner.DirectionSource, self.owner.DirectionAlong = paths.as_sub(axis.source), DIRECTION_CHOICES[0]
+            self.owner.Reverse = axis.reverse
+            self.guess.drop(self.body, "DirectionSource", axis.why)
+
+        if self.body in AXES:
+            self._try(change)
 
     # -- the panel ---------------------------------------------------------------------------------------------------
     def getStandardButtons(self):
@@ -334,86 +368,21 @@ class TaskMachine:
         return True
 
 
-class Source(QtGui.QWidget):
-    """A line that shows where something is taken from, with buttons to take the selection and to go back."""
-
-    def __init__(self, take, reset):
-        super().__init__()
-        row = QtGui.QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        self.text = QtGui.QLineEdit()
-        self.text.setReadOnly(True)
-        self.text.setMinimumWidth(60)
-        self.take = QtGui.QPushButton(translate("Sens", "Take"))
-        self.take.setToolTip(
-            translate("Sens", "Takes the coordinate system, datum, edge, face or part that is selected")
-        )
-        self.take.clicked.connect(lambda *_: take())
-        row.addWidget(self.text, 1)
-        row.addWidget(self.take)
-        self.reset = None
-        if reset is not None:
-            self.reset = QtGui.QPushButton("↺")
-            self.reset.setMaximumWidth(28)
-            self.reset.setToolTip(translate("Sens", "Back to the default"))
-            self.reset.clicked.connect(lambda *_: reset())
-            row.addWidget(self.reset)
-
-    def show(self, words: str, given: bool) -> None:
-        self.text.setText(words)
-        self.text.setToolTip(words)
-        if self.reset is not None:
-            self.reset.setEnabled(given)
-
-
-def along_choices():
-    return [
-        translate("Sens", "Automatic"), translate("Sens", "its local X"), translate("Sens", "its local Y"),
-        translate("Sens", "its local Z"),
-    ]  # fmt: skip
-
-
-def reference_choices():
-    return [
-        translate("Sens", "Automatic"),
-        translate("Sens", "at its placement"),
-        translate("Sens", "at its centre of mass"),
-    ]
-
-
-def source_words(source, otherwise: str = "") -> str:
-    """Label and element of a source, or what stands in for it."""
-    found = paths.place(source) if source else None
-    if found is None:
-        return otherwise
-    try:
-        return found.label
-    except Refused as error:
-        return error.message
-
-
-def _vector(v, digits: int) -> str:
-    return "(" + ", ".join(f"{x:.{digits}f}" for x in (v.x, v.y, v.z)) + ")"
-
-
 def new_machine(doc):
-    """Make a machine from the selection (or the document) inside a transaction and open the panel."""
+    """Propose a machine for the selection (or the document) in a transaction and open the panel; None if stopped."""
     import FreeCADGui as Gui
 
-    found = proposal.propose(doc, proposal.selected_links())
     doc.openTransaction(translate("Sens", "Machine from selection"))
     try:
-        workpiece = found.workpiece_chain
-        machine = factory.make_machine(
-            doc, workpiece, found.tool_chain, bed=found.parts["F"], tool_point=found.tool_point,
-            label=translate("Sens", "Machine"),
-        )  # fmt: skip
+        with watch() as progress:
+            found = proposal.examine(doc, proposal.selected_links(), progress)
+        machine = proposal.make(doc, found, translate("Sens", "Machine"))
         settings.give(machine)
-        for name in AXES:
-            factory.make_axis(machine, name, found.parts[name])
-        for name in ("T", "W"):
-            factory.make_body(machine, name, found.parts[name])
-        panel = TaskMachine(machine)
+        panel = TaskMachine(machine, proposed=found)
+    except Cancelled:
+        doc.abortTransaction()
+        messages.status(translate("Sens", "Cancelled; nothing was changed"))
+        return None
     except Refused:
         doc.abortTransaction()
         raise

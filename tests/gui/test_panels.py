@@ -120,7 +120,7 @@ def test_names_say_who_is_who():
     for label, body in (
         ("Bed", "F"), ("machine base", "F"), ("Saddle Y", "Y"), ("CarriageX", "X"), ("Z-Achse", "Z"), ("Spindel", "T"),
         ("Werkstück", "W"), ("X축", "X"), ("Headstock", "Z"), ("Table", "X"), ("y_slide", "Y"), ("Box", ""),
-        ("Column (X)", "X"), ("Workpiece and vice", "W"),
+        ("Column (X)", "X"), ("Workpiece and vice", "W"), ("Ways Y", ""), ("Rail X1", ""), ("Spindle motor", ""),
     ):  # fmt: skip
         assert proposal.guess(label) == body, label
 

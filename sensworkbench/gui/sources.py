@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Where a direction, reference or tool point is taken from, as a line of the machine panel, and in words."""
+
+from __future__ import annotations
+
+from ..core.refusal import Refused
+from ..document import paths
+from .qt import QtGui, translate
+
+
+class Source(QtGui.QWidget):
+    """A line that shows where something is taken from, with buttons to take the selection and to go back."""
+
+    def __init__(self, take, reset):
+        super().__init__()
+        row = QtGui.QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.text = QtGui.QLineEdit()
+        self.text.setReadOnly(True)
+        self.text.setMinimumWidth(60)
+        self.take = QtGui.QPushButton(translate("Sens", "Take"))
+        self.take.setToolTip(
+            translate("Sens", "Takes the coordinate system, datum, edge, face or part that is selected")
+        )
+        self.take.clicked.connect(lambda *_: take())
+        row.addWidget(self.text, 1)
+        row.addWidget(self.take)
+        self.reset = None
+        if reset is not None:
+            self.reset = QtGui.QPushButton("↺")
+            self.reset.setMaximumWidth(28)
+            self.reset.setToolTip(translate("Sens", "Back to the default"))
+            self.reset.clicked.connect(lambda *_: reset())
+            row.addWidget(self.reset)
+
+    def show(self, words: str, given: bool) -> None:
+        self.text.setText(words)
+        self.text.setToolTip(words)
+        if self.reset is not None:
+            self.reset.setEnabled(given)
+
+
+def along_choices():
+    return [
+        translate("Sens", "Automatic"), translate("Sens", "its local X"), translate("Sens", "its local Y"),
+        translate("Sens", "its local Z"),
+    ]  # fmt: skip
+
+
+def reference_choices():
+    return [
+        translate("Sens", "Automatic"),
+        translate("Sens", "at its placement"),
+        translate("Sens", "at its centre of mass"),
+    ]
+
+
+def source_words(source, otherwise: str = "") -> str:
+    """Label and element of a source, or what stands in for it."""
+    found = paths.place(source) if source else None
+    if found is None:
+        return otherwise
+    try:
+        return found.label
+    except Refused as error:
+        return error.message
+
+
+def vector_words(v, digits: int) -> str:
+    return "(" + ", ".join(f"{x:.{digits}f}" for x in (v.x, v.y, v.z)) + ")"
