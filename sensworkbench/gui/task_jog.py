@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..core import workspace
 from ..core.errors import AXES, BODIES
 from ..core.refusal import Refused
-from ..document import extract, factory
+from ..document import drive, extract, factory
 from ..document import jog as moving
 from . import colours, display, messages, pointers
 from .colormap import automatic
@@ -28,6 +28,7 @@ class TaskJog:
         self.document = machine.Document
         self.position = dict(zip(AXES, extract.current_position(machine).tolist()))
         extract.survey(machine)  # refuses before anything is opened
+        self.held = drive.held_by_sliders(machine)
         self.core = None
         self._sized = False
         self.document.openTransaction(translate("Sens", "Jog"))
@@ -125,7 +126,8 @@ class TaskJog:
 
     def _move(self) -> None:
         try:
-            moving.jog(self.machine, self.position)
+            # what slider joints hold is moved as a drag in the assembly moves it
+            (drive.drive if self.held else moving.jog)(self.machine, self.position)
             self.document.recompute()
             self.note.setText("")
         except Refused as error:

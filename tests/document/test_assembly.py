@@ -10,7 +10,7 @@ import pytest
 from sensworkbench.core import workspace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import assembly as from_assembly
-from sensworkbench.document import extract, factory, results
+from sensworkbench.document import drive, extract, factory, results
 
 from .assemblies import PLACES, SLIDERS, TIP, available, ground, group_of, join, limit, new_assembly, slider_machine
 from .blocks import TURNED, block, close, golden_machine, point
@@ -96,6 +96,45 @@ def test_a_drag_along_a_slider_is_a_jog(made, name, body, step):
     offset = factory.axis_of(machine, "Y").AbbeOffset
     at_home = V(*before.tool_point) - V(*before.axes["Y"].reference)
     assert close(offset, at_home + (V(*step) if body == "Z" else V()), 1e-6)
+
+
+def test_driving_the_sliders_is_a_drag_to_given_positions(made):
+    """All three axes at once, and back: each stands where it was asked, indices over the travel stay valid."""
+    assembly, parts, _, machine = made
+    found = results.compute(machine)
+    home = {name: part.Placement.copy() for name, part in parts.items()}
+    assert drive.held_by_sliders(machine)
+    asked = {"X": 60.0, "Y": -35.0, "Z": 120.0}
+    drive.drive(machine, asked)
+    machine.Document.recompute()
+    for name, value in asked.items():
+        assert factory.axis_of(machine, name).Position.Value == pytest.approx(value, abs=1e-6)
+    assert machine.Problem == "" and not found.Stale
+    u = {name: factory.axis_of(machine, name).Direction for name in "XYZ"}
+    expected = {"Bed": V(), "Head": u["Z"] * 120, "Saddle": u["Y"] * 35, "Table": u["Y"] * 35 - u["X"] * 60}
+    for name, shift in expected.items():
+        assert close(parts[name].Placement.Base - home[name].Base, shift, 1e-6), name
+    drive.drive(machine, {"X": 0.0, "Y": 0.0, "Z": 0.0})
+    for name, part in parts.items():
+        assert close(part.Placement.Base, home[name].Base, 1e-6), name
+
+
+def test_what_the_assembly_does_not_allow_is_refused_and_nothing_has_moved(made):
+    assembly, parts, joints, machine = made
+    home = {name: part.Placement.copy() for name, part in parts.items()}
+    with pytest.raises(Refused, match="outside the travel"):
+        drive.drive(machine, {"X": 1e4})
+    fixed = join(assembly, "Fixed", "Clamp", parts["Bed"], parts["Head"])
+    machine.Document.recompute()
+    with pytest.raises(Refused, match="does not let Slider Z go"):
+        drive.drive(machine, {"Z": 50.0})
+    machine.Document.removeObject(fixed.Name)
+    ground(assembly, parts["Head"])
+    machine.Document.recompute()
+    with pytest.raises(Refused, match="'Head' is grounded"):
+        drive.drive(machine, {"Z": 50.0})
+    for name, part in parts.items():
+        assert close(part.Placement.Base, home[name].Base, 1e-9), name
 
 
 def test_a_drag_moves_the_indices_at_the_current_position(made):

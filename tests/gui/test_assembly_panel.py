@@ -54,3 +54,40 @@ class TestAssembly:
         assert doc.UndoCount == undos + 1
         run("Sens_Sensitivity")
         assert factory.sensitivity_of(machine).Total
+
+    def test_jogging_drives_the_sliders_and_says_what_they_do_not_allow(self, doc, assembly):
+        import FreeCADGui as Gui
+
+        from sensworkbench.gui.task_jog import TaskJog
+
+        parts = assembly[1]
+        Gui.Selection.clearSelection()
+        from sensworkbench.gui.task_assembly import TaskAssembly
+
+        panel = TaskAssembly(doc)
+        panel.tool_point = (assembly[0], f"{parts['Head'].Name}.Vertex1")
+        Gui.Control.showDialog(panel)
+        click("Ok")
+        machine = factory.machine_of(doc)
+        home, undos = parts["Head"].Placement.Base, doc.UndoCount
+        jog = TaskJog(machine)
+        Gui.Control.showDialog(jog)
+        jog.numbers["Z"].setValue(75.0)
+        pump(30)
+        assert jog.note.text() == "" and (parts["Head"].Placement.Base - home).Length == pytest.approx(75, abs=1e-6)
+        assert factory.axis_of(machine, "Z").Position.Value == pytest.approx(75, abs=1e-6)
+        screenshot("assembly-jog")
+        click("Ok")
+        assert doc.UndoCount == undos + 1
+        doc.undo()
+        pump(60)
+        assert (parts["Head"].Placement.Base - home).Length == pytest.approx(0, abs=1e-6)
+        assemblies.ground(assembly[0], parts["Head"])
+        doc.recompute()
+        jog = TaskJog(machine)
+        Gui.Control.showDialog(jog)
+        jog.numbers["Z"].setValue(40.0)
+        pump(30)
+        assert "'Head' is grounded" in jog.note.text() and jog.numbers["Z"].value() == pytest.approx(0, abs=1e-3)
+        click("Cancel")
+        assert (parts["Head"].Placement.Base - home).Length == pytest.approx(0, abs=1e-6)
