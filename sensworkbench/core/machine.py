@@ -12,6 +12,7 @@ import itertools
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -176,9 +177,9 @@ class Machine:
         return np.array([self.axes[k].travel for k in AXES])
 
     # -- frame ---------------------------------------------------------------------------------------------------
-    @property
+    @cached_property
     def frame(self) -> np.ndarray:
-        """(3, 3) unit vectors of the machine frame as columns, in file coordinates; right-handed.
+        """(3, 3) unit vectors of the machine frame as columns, in file coordinates; right-handed, read-only.
 
         X is primary and Y secondary, as in ISO 230-1.  Where the directions form a left-handed triad (one axis counts
         backwards) the signs nearest to the file's own frame are taken.
@@ -188,10 +189,12 @@ class Machine:
         y = y - x * (x @ y)
         y /= np.linalg.norm(y)
         z = np.cross(x, y)
-        if z @ np.array(self.axes["Z"].direction) > 0:
-            return np.column_stack([x, y, z])
-        candidates = [np.column_stack([sx * x, sy * y, sx * sy * z]) for sx, sy in itertools.product((1, -1), repeat=2)]
-        return max(candidates, key=np.trace)
+        frame = np.column_stack([x, y, z])
+        if z @ np.array(self.axes["Z"].direction) <= 0:
+            signs = itertools.product((1, -1), repeat=2)
+            frame = max((np.column_stack([sx * x, sy * y, sx * sy * z]) for sx, sy in signs), key=np.trace)
+        frame.setflags(write=False)
+        return frame
 
     def _in_frame(self, vector) -> np.ndarray:
         return self.frame.T @ np.asarray(vector, dtype=float)

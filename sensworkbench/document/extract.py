@@ -20,7 +20,7 @@ from ..core.machine import Axis, Machine
 from ..core.refusal import Refused
 from . import geometry, joints
 from .base import kind_of, numbers
-from .factory import axis_of, body_of, effects_of
+from .factory import body_of, effects_of
 from .paths import Place, place, places
 from .tables import read_tolerances
 
@@ -41,11 +41,31 @@ def parts_of(machine, body: str) -> list[Place]:
     return places(owner.Parts) if owner else []
 
 
-def part_index(machine) -> dict[tuple, str]:
-    """Occurrence of a part -> its body; refuses a part that is named in two bodies."""
+def bodies(machine) -> dict[str, object]:
+    """Body X, Y, Z, T or W -> its axis or body object, for those that there are."""
+    found = {}
+    for obj in machine.Group:
+        kind = kind_of(obj)
+        if kind in ("Axis", "Body"):
+            found.setdefault(getattr(obj, kind), obj)
+    return found
+
+
+def all_parts(machine, owners=None) -> dict[str, list[Place]]:
+    """`parts_of` every body.  owners : what `bodies` found, where the caller has it."""
+    owners = bodies(machine) if owners is None else owners
+    links = {"F": machine.Bed} | {body: obj.Parts for body, obj in owners.items()}
+    return {body: places(links[body]) if body in links else [] for body in BODIES}
+
+
+def part_index(machine, parts=None) -> dict[tuple, str]:
+    """Occurrence of a part -> its body; refuses a part that is named in two bodies.
+
+    parts : what `all_parts` found, where the caller has it; so in the functions below.
+    """
     index = {}
-    for body in BODIES:
-        for where in parts_of(machine, body):
+    for body, group in (all_parts(machine) if parts is None else parts).items():
+        for where in group:
             other = index.setdefault(where.key, body)
             if other != body:
                 raise Refused(
@@ -85,8 +105,10 @@ def source_owner(index, source: Place) -> str | None:
 
 
 # -- chains ----------------------------------------------------------------------------------------------------------
-def check_chains(machine) -> dict[str, object]:
+def check_chains(machine, owners=None, parts=None) -> dict[str, object]:
     """Axis name -> axis object; refuses chains that are incomplete or name an axis twice."""
+    owners = bodies(machine) if owners is None else owners
+    parts = all_parts(machine, owners) if parts is None else parts
     chain = list(machine.WorkpieceChain) + list(machine.ToolChain)
     where = machine.Label
     for name in chain:
@@ -98,7 +120,7 @@ def check_chains(machine) -> dict[str, object]:
             )
     axes = {}
     for name in AXES:
-        axis = axis_of(machine, name)
+        axis = owners.get(name)
         if name not in chain:
             raise Refused(
                 f"the chain does not connect: axis {name} is in neither chain",
@@ -111,7 +133,7 @@ def check_chains(machine) -> dict[str, object]:
                 where,
                 f"Add axis {name} and its carriage.",
             )
-        if not parts_of(machine, name):
+        if not parts[name]:
             raise Refused(
                 f"the chain does not connect: {axis.Label!r} has no carriage", where, "Choose the parts that it moves."
             )
@@ -131,10 +153,10 @@ def upstream(machine, body: str) -> tuple[int, list[str]]:
     return 1, []
 
 
-def check_nesting(machine, index) -> None:
+def check_nesting(machine, index, parts=None) -> None:
     """Refuse a part inside the container of a body that does not carry it."""
-    for body in BODIES:
-        for where in parts_of(machine, body):
+    for body, group in (all_parts(machine) if parts is None else parts).items():
+        for where in group:
             holder = _owner(index, where.key[:-1])
             if holder is None or holder == body:
                 continue
@@ -159,13 +181,17 @@ class Survey:
     reference_from: dict[str, str]
     index: dict[tuple, str]
     loose: tuple[tuple[Place, str], ...]  # (source, body that names it)
+    owners: dict[str, object]  # X, Y, Z, T, W -> axis or body object
+    parts: dict[str, list[Place]]  # F, X, Y, Z, T, W -> where its parts stand
+    directions: dict[str, App.Vector]  # unit vectors of the axes
 
 
-def directions(machine, axes) -> tuple[dict[str, App.Vector], dict[str, str]]:
+def directions(machine, axes, parts=None) -> tuple[dict[str, App.Vector], dict[str, str]]:
     """Unit direction of every axis and what it was taken from."""
     found, words = {}, {}
     for name, axis in axes.items():
-        source = place(axis.DirectionSource) if axis.DirectionSource else parts_of(machine, name)[0]
+        carriage = parts_of(machine, name) if parts is None else parts[name]
+        source = place(axis.DirectionSource) if axis.DirectionSource else carriage[0]
         try:
             if joints.is_joint(source.object):
                 vector, words[name] = joints.direction(source), f"slider {source.object.Label}"
@@ -188,13 +214,14 @@ def displacement(machine, body: str, u: dict[str, App.Vector], q: dict[str, floa
     return total
 
 
-def stands_at(machine) -> dict[str, float]:
+def stands_at(machine, owners=None, parts=None) -> dict[str, float]:
     """Axis name -> position at which its parts stand: as jogged, or as the slider of an assembly stands."""
+    owners = bodies(machine) if owners is None else owners
     found = {}
     for name in AXES:
-        axis = axis_of(machine, name)
+        axis = owners.get(name)
         if axis is not None:
-            slid = joints.position(machine, axis, parts_of(machine, name))
+            slid = joints.position(machine, axis, parts_of(machine, name) if parts is None else parts[name])
             found[name] = float(axis.StandsAt) if slid is None else slid
     return found
 
@@ -209,11 +236,13 @@ def survey(machine) -> Survey:
     """Read the placements; refuses, naming the objects, what is no serial three-axis machine."""
     if kind_of(machine) != "Machine":
         raise Refused(f"{machine.Label!r} is no machine", machine.Label, "Select a machine.")
-    axes = check_chains(machine)
-    index = part_index(machine)
-    check_nesting(machine, index)
-    u, direction_from = directions(machine, axes)
-    q = stands_at(machine)
+    owners = bodies(machine)
+    parts = all_parts(machine, owners)
+    axes = check_chains(machine, owners, parts)
+    index = part_index(machine, parts)
+    check_nesting(machine, index, parts)
+    u, direction_from = directions(machine, axes, parts)
+    q = stands_at(machine, owners, parts)
     loose, points, reference_from = [], {}, {}
 
     def home(source: Place, vector: App.Vector, named_by: str):
@@ -224,19 +253,19 @@ def survey(machine) -> Survey:
         return numbers(vector - displacement(machine, owner, u, q))
 
     for body in ("X", "Y", "Z", "T", "W"):
-        owner = body_of(machine, body)
-        if owner is None or not (owner.ReferenceSource or parts_of(machine, body)):
+        owner = owners.get(body)
+        if owner is None or not (owner.ReferenceSource or parts[body]):
             continue
         try:
             if owner.ReferenceSource:
                 source = place(owner.ReferenceSource)
                 if joints.is_joint(source.object):
-                    side = joints.carried_side(source, parts_of(machine, body))
+                    side = joints.carried_side(source, parts[body])
                     vector, words = joints.frame(source, side).Base, f"joint {source.object.Label}"
                 else:
                     vector, words = geometry.point(source, owner.ReferenceAt)
             else:
-                source, vector, words = _own_reference(machine, body, owner.ReferenceAt)
+                source, vector, words = _own_reference(parts[body], owner.ReferenceAt)
         except Refused as error:
             raise error.at(owner.Label) from None
         points[body], reference_from[body] = home(source, vector, body), words
@@ -251,7 +280,8 @@ def survey(machine) -> Survey:
     if offsets:
         core = with_offsets(core, offsets)
         reference_from |= {name: reference_from[name] + ", moved" for name in offsets}
-    return Survey(core, current_position(machine), direction_from, reference_from, index, tuple(loose))
+    position = np.array([q[name] for name in AXES])
+    return Survey(core, position, direction_from, reference_from, index, tuple(loose), owners, parts, u)
 
 
 def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) -> Machine:
@@ -263,8 +293,7 @@ def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) 
     return replace(core, axes=axes)
 
 
-def _own_reference(machine, body, at):
-    parts = parts_of(machine, body)
+def _own_reference(parts, at):
     if at == "Placement":
         return parts[0], parts[0].placement.Base, f"placement of {parts[0].object.Label}"
     found = geometry.centre_of_mass(parts)

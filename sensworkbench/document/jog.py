@@ -14,7 +14,7 @@ import FreeCAD as App
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from .extract import BODIES, check_chains, directions, displacement, parts_of, stands_at, survey
+from .extract import BODIES, check_chains, displacement, survey
 from .factory import owner_machine
 from .paths import Place
 
@@ -24,11 +24,10 @@ CLOSE = 1e-7  # mm: a part this close to where jogging left it has not been move
 def jog(machine, position: dict[str, float]) -> dict[str, float]:
     """Drive the named axes to `position` (mm); returns the position of all three.  Refuses before anything moves."""
     found = survey(machine)
-    axes = check_chains(machine)
-    old = stands_at(machine)
+    axes = {name: found.owners[name] for name in AXES}
+    old = dict(zip(AXES, found.position.tolist()))
     new = old | {name: _within_travel(axes, name, value) for name, value in position.items()}
-    u, _ = directions(machine, axes)
-    steps = _steps(machine, found, u, old, new)
+    steps = _steps(machine, found, old, new)
     homes = dict(zip(machine.HomeObjects, machine.HomePlacements))
     away_names, away_placements = [], []
     for step in steps:
@@ -89,8 +88,9 @@ class _Step:
     new: App.Vector
 
 
-def _steps(machine, found, u, old, new) -> list[_Step]:
-    riders = [(where, body) for body in BODIES for where in parts_of(machine, body)]
+def _steps(machine, found, old, new) -> list[_Step]:
+    riders = [(where, body) for body, parts in found.parts.items() for where in parts]
+    shifts = {body: [displacement(machine, body, found.directions, q) for q in (old, new)] for body in BODIES}
     known = dict(found.index)
     for source, body in found.loose:
         whole = Place(source.root, source.path)
@@ -108,9 +108,7 @@ def _steps(machine, found, u, old, new) -> list[_Step]:
         if body == carrier:
             continue
         turn = where.parent_placement.Rotation.inverted()
-        shift = [
-            turn.multVec(displacement(machine, body, u, q) - displacement(machine, carrier, u, q)) for q in (old, new)
-        ]
+        shift = [turn.multVec(own - carried) for own, carried in zip(shifts[body], shifts[carrier])]
         if shift[0] == shift[1]:
             if shift[0].Length == 0:
                 continue

@@ -8,6 +8,7 @@ part linked twice has two paths.  FreeCAD's own global placement ignores links, 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import FreeCAD as App
 import Part
@@ -61,7 +62,7 @@ class Place:
     def label(self) -> str:
         return self.object.Label + (f" {self.element}" if self.element else "")
 
-    @property
+    @cached_property
     def key(self) -> tuple:
         """Identifies the occurrence: (document, name) along the path, folders left out."""
         return tuple((o.Document.Name, o.Name) for o in self.chain if not _is_folder(o))

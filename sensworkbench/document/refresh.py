@@ -15,18 +15,20 @@ from ..core.refusal import Refused
 from . import closed_loop
 from .base import members, numbers, put
 from .extract import Survey, survey
-from .factory import axis_of, body_of
 from .joints import follow
 
 TOLERANCE = 1e-6  # mm, and relative: below this nothing has changed
 
 
-def refresh(machine) -> Survey | None:
-    """Write the results of a machine's objects; a refusal goes to its Problem.  Returns the survey, or None."""
+def refresh(machine, seen: Survey | None = None) -> Survey | None:
+    """Write the results of a machine's objects; a refusal goes to its Problem.  Returns the survey, or None.
+
+    seen : a survey that the caller has just made, since when nothing has moved; default: one is made.
+    """
     try:
         follow(machine)
-        found = survey(machine)
-        _check_positions(machine)
+        found = survey(machine) if seen is None else seen
+        _check_positions(machine, found.owners)
     except Refused as error:
         put(machine, "Problem", error.message)
         _mark_stale(machine, "")
@@ -37,10 +39,10 @@ def refresh(machine) -> Survey | None:
     put(machine, "FunctionalPoint", core.tool_point)
     for pair, angle in core.skew_deg.items():
         put(machine, f"Skew{pair}", angle)
-    arms = core.lever_arms(found.position, frame="file")
     local = core.lever_arms(found.position)
+    arms = {body: arm @ core.frame.T for body, arm in local.items()}
     for body in BODIES:
-        obj = body_of(machine, body)
+        obj = found.owners.get(body)
         if obj is None:
             continue
         put(obj, "ReferencePoint", _reference(core, body))
@@ -71,9 +73,9 @@ def _put_length(obj, name, value):
         setattr(obj, name, value)
 
 
-def _check_positions(machine):
+def _check_positions(machine, owners):
     for name in AXES:
-        axis = axis_of(machine, name)
+        axis = owners[name]
         if abs(axis.Position.Value - axis.StandsAt) > TOLERANCE:
             raise Refused(
                 f"{axis.Label!r} is to stand at {axis.Position.Value:g} mm but stands at {axis.StandsAt:g} mm",

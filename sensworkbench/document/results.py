@@ -9,7 +9,7 @@ from ..core import workspace
 from ..core.errors import component
 from ..core.machine import Machine
 from .base import numbers, put
-from .extract import core_machine, objective, positions
+from .extract import Survey, core_machine, objective, positions, survey
 from .factory import make_sensitivity, sensitivity_of
 from .refresh import fingerprint, refresh
 from .tables import read_units
@@ -31,10 +31,22 @@ def compute(machine, progress=None, *, estimate: bool = True):
     return store(machine, found, core)
 
 
-def store(machine, found: workspace.Sensitivity, core: Machine):
+def compute_at_once(machine, limit: int):
+    """`compute` on one survey and without an estimate, for live work; None for more than `limit` positions."""
+    seen = survey(machine)
+    where = positions(machine, seen.core)
+    if len(where.q) > limit:
+        return None
+    found = workspace.sensitivity(seen.core, where, objective(machine), estimate=False)
+    return store(machine, found, seen.core, seen)
+
+
+def store(machine, found: workspace.Sensitivity, core: Machine, seen: Survey | None = None):
     """Write indices to the machine's Sensitivity object (made where there is none) and return it.
 
     The settings on the machine become those of the result, so that it is not stale.
+    seen : the survey that `core` is from, where nothing has moved since; default: the machine is surveyed again, and
+    what has moved in between leaves the result stale.
     """
     _take_settings(machine, found)
     obj = sensitivity_of(machine) or make_sensitivity(machine)
@@ -62,7 +74,7 @@ def store(machine, found: workspace.Sensitivity, core: Machine):
     put(obj, "Distributions", [t.distribution for t in laws])
     put(obj, "Fingerprint", fingerprint(machine, core))
     put(obj, "Stale", False)
-    refresh(machine)
+    refresh(machine, seen)
     return obj
 
 

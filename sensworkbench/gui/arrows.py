@@ -98,6 +98,7 @@ class Arrows:
             self._note.addChild(child)
         self.root.addChild(self._note)
         self.shown: tuple[Arrow, ...] = ()
+        self._drawn: dict = {}  # (arrow, thickness) -> its nodes
 
     def show(self, arrows, size: float) -> None:
         """size : extent of the machine in mm, to which the thickness of the arrows is matched."""
@@ -106,11 +107,18 @@ class Arrows:
             return
         self.shown = arrows
         self._content.removeAllChildren()
-        for arrow in arrows:
-            self._content.addChild(_shaft(arrow.start, arrow.end, arrow.colour, arrow.head, max(size, 1.0) / 260))
-        for arrow in arrows:  # the texts last, in front of every arrow
-            if arrow.text:
-                self._content.addChild(_text(arrow))
+        thickness = max(size, 1.0) / 260
+        kept, self._drawn = self._drawn, {}
+        for arrow in arrows:  # what stays where it was keeps its nodes
+            nodes = kept.get((arrow, thickness))
+            if nodes is None:
+                shaft = _shaft(arrow.start, arrow.end, arrow.colour, arrow.head, thickness)
+                nodes = (shaft, _text(arrow) if arrow.text else None)
+            self._drawn[arrow, thickness] = nodes
+            self._content.addChild(nodes[0])
+        for _, text in self._drawn.values():  # the texts last, in front of every arrow
+            if text is not None:
+                self._content.addChild(text)
 
     def clear(self) -> None:
         self.show((), 1.0)

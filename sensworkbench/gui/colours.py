@@ -8,6 +8,7 @@ reopening.  A link is coloured by overriding its material, so that other copies 
 
 from __future__ import annotations
 
+import functools
 import json
 from dataclasses import dataclass
 
@@ -52,12 +53,13 @@ def targets(machine) -> dict[str, list[Target]]:
 
     A link behind which everything belongs to one body is coloured as a whole, otherwise part by part.
     """
-    index = extract.part_index(machine)
+    parts = extract.all_parts(machine)
+    index = extract.part_index(machine, parts)
     found: dict[str, dict[str, Target]] = {b: {} for b in BODIES}
     owners: dict[str, set] = {}
     seen = []
-    for body in BODIES:
-        for where in extract.parts_of(machine, body):
+    for group in parts.values():
+        for where in group:
             for leaf in paths.leaves(where):
                 owner = _owner(index, leaf.key)
                 target = _target(leaf)
@@ -191,11 +193,17 @@ def _can(obj) -> bool:
 
 # -- the machine -----------------------------------------------------------------------------------------------------
 def _originals(result) -> dict:
+    """Name -> how the object looked, of those that are coloured; a dictionary of the caller's own."""
     try:
-        found = json.loads(result.OriginalColours) if result.OriginalColours else {}
+        return dict(_parsed(result.OriginalColours))
     except ValueError:
         App.Console.PrintWarning(f"{result.Label}: the stored original colours cannot be read\n")
         return {}
+
+
+@functools.lru_cache(maxsize=8)
+def _parsed(text: str) -> dict:
+    found = json.loads(text) if text else {}
     return found if isinstance(found, dict) else {}
 
 
@@ -212,7 +220,8 @@ def apply(machine, result, values: dict[str, float], scale: Scale) -> int:
             if not _can(obj):
                 continue
             for one in _with_features(obj):
-                kept.setdefault(one.Name, read(one))
+                if one.Name not in kept:
+                    kept[one.Name] = read(one)
             if target.element:
                 elements.setdefault(obj.Name, {})[f"{target.element}Face"] = colour
             elif not _near(shown_colour(obj), colour) or not _plain(obj):

@@ -7,6 +7,7 @@ saved images.  It has no extent of its own: fitting the view and picking ignore 
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass, field, replace
 
 import FreeCAD as App
@@ -102,15 +103,20 @@ def paint(text: LegendText, scale: Scale, size: float = 1.0):
 
 
 def _bar(pen, box, scale: Scale) -> None:
-    steps = int(box.height())
-    for i in range(steps):
-        f = 0.5 if not scale.upper > scale.lower else 1 - (i + 0.5) / steps
-        pen.fillRect(
-            QtCore.QRectF(box.x(), box.y() + i, box.width(), 1.5), QtGui.QColor.fromRgbF(*colour(f, scale.name))
-        )
+    pen.drawImage(box, _ramp(scale.name, int(box.height()), bool(scale.upper > scale.lower)))
     pen.setPen(QtGui.QPen(QtGui.QColor(25, 32, 40), 1))
     pen.setBrush(Qt.NoBrush)
     pen.drawRect(box)
+
+
+@functools.lru_cache(maxsize=16)
+def _ramp(name: str, steps: int, rising: bool):
+    """The colours of a bar from top to bottom, as an image one pixel wide."""
+    image = QtGui.QImage(1, max(1, steps), QtGui.QImage.Format_ARGB32_Premultiplied)
+    for i in range(image.height()):
+        f = 1 - (i + 0.5) / image.height() if rising else 0.5
+        image.setPixelColor(0, i, QtGui.QColor.fromRgbF(*colour(f, name)))
+    return image
 
 
 def _spread(marks, height: float, line: float):

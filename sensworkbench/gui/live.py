@@ -43,12 +43,7 @@ def answer(machine, result) -> bool:
     if not (settings.get("Live") and result.Stale and result.Coloured) or machine.Problem:
         return False
     try:
-        core = extract.core_machine(machine)
-        positions = extract.positions(machine, core)
-        if len(positions.q) > LIVE_POINTS:
-            return False
-        found = workspace.sensitivity(core, positions, extract.objective(machine), estimate=False)
-        results.store(machine, found, core)
+        results.compute_at_once(machine, LIVE_POINTS)
     except Refused:
         return False  # the machine's Problem and the legend say that the result is out of date
     return not result.Stale
@@ -119,6 +114,7 @@ def _wait(task: Task, title: str) -> None:
     run(loop)
     timer.stop()
     dialog.close()
+    dialog.setParent(None)  # deleted when the outermost event loop gets to it: no one finds it until then
     dialog.deleteLater()
 
 

@@ -15,11 +15,13 @@ from .texts import body_name
 BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
 
 
-def _now(machine, body: str, point) -> App.Vector:
-    """A point of a body where it is at the current position."""
-    axes = extract.check_chains(machine)
-    u, _ = extract.directions(machine, axes)
-    return App.Vector(point) + extract.displacement(machine, body, u, extract.stands_at(machine))
+def _shifts(machine, bodies) -> dict[str, App.Vector]:
+    """How far each body is from home at the current position."""
+    owners = extract.bodies(machine)
+    parts = extract.all_parts(machine, owners)
+    u, _ = extract.directions(machine, extract.check_chains(machine, owners, parts), parts)
+    q = extract.stands_at(machine, owners, parts)
+    return {body: extract.displacement(machine, body, u, q) for body in bodies}
 
 
 def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
@@ -27,15 +29,18 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
 
     detail : with the axis of motion and the components of the offset, for one body or a few.
     """
+    if machine.Problem:
+        return []
+    try:
+        shifts = _shifts(machine, bodies)
+    except Refused:
+        return []
     found = []
     for body in bodies:
         obj = factory.body_of(machine, body)
-        if obj is None or machine.Problem:
+        if obj is None:
             continue
-        try:
-            start = _now(machine, body, obj.ReferencePoint)
-        except Refused:
-            continue
+        start = obj.ReferencePoint + shifts[body]
         offset = obj.AbbeOffset
         name = body_name(machine, body)
         colour = BODY_COLOURS[body]

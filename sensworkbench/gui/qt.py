@@ -49,6 +49,28 @@ def later(function, milliseconds: int = 0) -> None:
     QtCore.QTimer.singleShot(milliseconds, function)
 
 
+class _Post(QtCore.QObject):
+    due = Signal(object)
+
+    def __init__(self):
+        super().__init__()
+        self.due.connect(self.call, Qt.QueuedConnection)
+
+    def call(self, function):
+        function()
+
+
+_post = _Post()
+
+
+def soon(function) -> None:
+    """Call `function` once from the event loop, before anything is painted again.
+
+    Unlike a timer, a posted event comes before Qt's requests to paint, so what it changes is in the same picture.
+    """
+    _post.due.emit(function)
+
+
 def pump(milliseconds: int = 0) -> None:
     """Let the window work off what is waiting, for at least so long."""
     clock = QtCore.QElapsedTimer()

@@ -13,7 +13,7 @@ from ..document.base import alive, kind_of
 from . import settings
 from .colormap import MAPS
 from .files import icon_path, tree_icon
-from .qt import QtGui, later, translate
+from .qt import QtGui, later, soon, translate
 
 COLOUR_BY = {
     "Mean": "ComponentTotal",
@@ -209,7 +209,7 @@ class ViewProviderSensitivity(ViewProviderSens):
         group.addChild(self.map.root)
         group.addChild(self.legend.root)
         vobj.addDisplayMode(group, "Legend")
-        self.schedule()
+        self.schedule(later)  # an opened document is adopted first
 
     def getDisplayModes(self, vobj):
         return ["Legend"]
@@ -237,11 +237,11 @@ class ViewProviderSensitivity(ViewProviderSens):
             restore(vobj.Object)
         return True
 
-    def schedule(self):
-        """Bring colours and legend up to date once the present change is over."""
+    def schedule(self, when=soon):
+        """Bring colours and legend up to date once the present change is over, in the frame that shows it."""
         if not getattr(self, "_waiting", False):
             self._waiting = True
-            later(self._update)
+            when(self._update)
 
     def _update(self):
         try:
