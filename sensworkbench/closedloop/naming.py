@@ -89,7 +89,8 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
     """Why a finding on temperatures and time is but a stand-in for a column that was not logged ("" if it is none).
 
     Any slow curve can be pieced together from other slow curves.  Two pieces on one motion, one of them bent, or the
-    product of two of them, have no physics; a single temperature may have.
+    product of two of them, have no physics; a single temperature may have, unless it is that of another axis and the
+    moving one's own was not logged.
     """
     slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {"t"}
 
@@ -109,6 +110,11 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
     mine, rest = parts(candidate)
     if len(mine) > 1:
         return f"the product of {' and '.join(sorted(mine))} stands in for something slow that was not logged"
+    own = component(candidate.symbol).body.lower()
+    for name in sorted(mine) if own in POSITIONS else ():
+        stem, _, axis = name.rpartition("_")
+        if axis in POSITIONS and axis != own and f"{stem}_{own}" not in columns:
+            return f"{name} belongs to another axis, and {stem}_{own} was not logged"
     for o in others if mine else ():
         theirs, same = parts(o)
         if theirs and same == rest and motion(o) == motion(candidate) and (bent(o) or bent(candidate)):

@@ -41,8 +41,8 @@ def _place(c: Candidate) -> tuple[str, str]:
 
 
 def _more_general(rival: Candidate, finding: Candidate) -> bool:
-    """The same motion and columns through a shape with more freedom."""
-    if not _alike(rival.symbol, finding.symbol):
+    """The same motion and columns through a shape with more freedom - but a warm-up is no padding of a trend."""
+    if not _alike(rival.symbol, finding.symbol) or rival.shape.shape == "approach":
         return False
     same_columns = set(rival.shape.driver.split("*")) == set(finding.shape.driver.split("*"))
     freedom = lambda c: c.shape.profiled + len(c.coefficients)  # noqa: E731
@@ -59,8 +59,6 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
     for c in step.pool:
         if c.key == finding.key:
             continue
-        from .scan import exact_gain
-
         gain, coefficients, visible = exact_gain(rows, c.index, vectors_of(c.shape, columns))
         loss = finding.gain - gain
         c = Candidate(c.symbol, c.shape, gain, coefficients, visible, c.handicap)

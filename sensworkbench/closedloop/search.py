@@ -154,6 +154,11 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
     def at(value):
         return _candidate(rows, candidate.symbol, replace(shape, parameters={**shape.parameters, name: value}), columns)
 
+    def seen(value) -> float:
+        """Gain, where enough of the shape shows beside the declared model: a fit of the rest is a fit of noise."""
+        c = at(value)
+        return c.gain if c.visible > MIN_VISIBLE else 0.0
+
     candidate = at(start)  # its gain beside the model of these rows
 
     if name == "at":
@@ -172,16 +177,35 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
     if name == "period":
         span = float(np.ptp(columns[shape.driver]))
         reach = 0.35 / span
-        found = 1 / _golden(lambda f: at(1 / f).gain, 1 / start - reach, 1 / start + reach, steps)
+        found = 1 / _golden(lambda f: seen(1 / f), 1 / start - reach, 1 / start + reach, steps)
     elif name == "exponent":
-        found = _golden(lambda n: at(n).gain, max(0.25, start - 0.5), start + 0.6, steps)
+        found = _golden(seen, max(0.25, start - 0.5), start + 0.6, steps)
     else:
         ratio = 1.7 if name == "tau" else 2.5
         found = math.exp(
-            _golden(lambda v: at(math.exp(v)).gain, math.log(start / ratio), math.log(start * ratio), steps)
+            _golden(lambda v: seen(math.exp(v)), math.log(start / ratio), math.log(start * ratio), steps)
         )
     better = at(float(found))
-    return better if better.gain > candidate.gain else candidate
+    return better if better.gain > candidate.gain and better.visible > MIN_VISIBLE else candidate
+
+
+def merged(a: Candidate, b: Candidate, columns) -> Candidate | None:
+    """One candidate for two on one component: a polynomial for two powers of a column, a hysteresis for a reversal and
+    a hysteresis of one axis.  None for any others."""
+    if a.symbol != b.symbol:
+        return None
+    lossy = next((c for c in (a, b) if c.shape.shape == "hysteresis"), None)
+    if lossy and {a.shape.driver, b.shape.driver} == {lossy.shape.driver, f"dir_{lossy.shape.driver}"}:
+        return lossy
+    names = set(a.shape.driver.split("*")) | set(b.shape.driver.split("*"))
+    if len(names) != 1 or not {a.shape.shape, b.shape.shape} <= {"linear", "polynomial"}:
+        return None
+    name = names.pop()
+    v = columns[name]
+    degree = max(int(c.shape.parameters.get("degree", c.shape.factors)) for c in (a, b))
+    domain = (float(v.min()), float(v.max()))
+    shape = Shape(name, "polynomial", {"degree": max(degree, 2), "domain": domain})
+    return Candidate(a.symbol, shape, 0.0, np.zeros(0), 1.0, handicap(a.symbol, shape))
 
 
 def polynomials(rows: Rows, symbols, columns, names) -> list[Candidate]:

@@ -69,7 +69,8 @@ def trace(
             tracer.steps = []
         tracer.review()
     named = _consistent(tracer)
-    if not named and any(s.significant for s in tracer.steps) and not tracer.coloured and tracer.rescue(tell):
+    doubtful = any(s.refused and s.significant for s in tracer.steps) and not tracer.coloured
+    if doubtful and tracer.rescue(tell):
         named = _consistent(tracer)
     tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)

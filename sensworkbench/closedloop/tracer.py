@@ -17,14 +17,14 @@ from ..core.machine import Machine
 from ..core.synthesis import omega
 from ..core.workspace import Cancelled
 from . import evidence
-from .bank import Shape, bank, log_tail, useful_columns
+from .bank import bank, log_tail, useful_columns
 from .design import ALL_SYMBOLS, Design, alike, design
 from .fit import Fit, basis, fit
 from .freeform import FreeScan, normal_tail
 from .naming import beyond, stand_in, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, handicap, polynomials, refine, same_place, search, surface_candidate, vectors_of
+from .search import Candidate, merged, polynomials, refine, same_place, search, surface_candidate, vectors_of
 from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
@@ -35,7 +35,7 @@ SHORT_BLOCKS, LONG_BLOCKS = 30, 10
 COLOURED = 0.3  # correlation of successive residuals from which the noise is taken to remember
 CLASS = 25.0  # in chi-square: within reach of a held-out comparison
 MOST_EFFECTS = 4
-PAIRS = 10  # leaders tried as the first of two
+OF_A_SHAPE = 3  # leaders of each shape that are tried as the first of two
 MOST_SCANNED = 4000  # points: more are thinned for the scan; every fit takes all
 LARGEST_UM = 500.0  # a plausible effect is smaller
 DETECTABLE = 6.0  # nats of evidence: less is no structure
@@ -313,35 +313,14 @@ class Tracer:
                 return
 
     def _merge(self) -> bool:
-        """One polynomial for two powers of one column on the same component."""
+        """One effect for two that are parts of one."""
         for i, a in enumerate(self.steps):
             for b in self.steps[i + 1 :]:
-                ca, cb = a.candidate, b.candidate
-                lossy = next((c for c in (ca, cb) if c.shape.shape == "hysteresis"), None)
-                if (
-                    lossy
-                    and ca.symbol == cb.symbol
-                    and {ca.shape.driver, cb.shape.driver}
-                    == {
-                        lossy.shape.driver,
-                        f"dir_{lossy.shape.driver}",
-                    }
-                ):  # a reversal and a hysteresis of one axis are one hysteresis
-                    a.candidate = lossy
+                one = merged(a.candidate, b.candidate, self.readings.columns)
+                if one is not None:
+                    a.candidate = one
                     self.steps.remove(b)
                     return True
-                names = set(ca.shape.driver.split("*")) | set(cb.shape.driver.split("*"))
-                plain = {ca.shape.shape, cb.shape.shape} <= {"linear", "polynomial"}
-                if ca.symbol != cb.symbol or len(names) != 1 or not plain:
-                    continue
-                name = names.pop()
-                v = self.readings.columns[name]
-                degree = max(int(c.shape.parameters.get("degree", c.shape.factors)) for c in (ca, cb))
-                domain = (float(v.min()), float(v.max()))
-                shape = Shape(name, "polynomial", {"degree": max(degree, 2), "domain": domain})
-                a.candidate = Candidate(ca.symbol, shape, 0.0, np.zeros(0), 1.0, handicap(ca.symbol, shape))
-                self.steps.remove(b)
-                return True
         return False
 
     def rescue(self, tell) -> bool:
@@ -350,19 +329,25 @@ class Tracer:
         refused = self.steps
         full = self.fit_with(self.candidates)
         rows = self.rows_with(full, [])
-        leaders = search(rows, self.readings, self.scanner(rows), self.names, self.groups)[:PAIRS]
+        leaders: list[Candidate] = []
+        for c in search(rows, self.readings, self.scanner(rows), self.names, self.groups):
+            alike = [o for o in leaders if o.shape.shape == c.shape.shape]
+            if len(alike) < OF_A_SHAPE and all(o.shape.driver != c.shape.driver for o in alike):
+                leaders.append(c)
         own = {c.key for c in self.candidates}
-        alone = [c.score for c in leaders if c.key in own]
-        best: tuple[float, list[Candidate]] = (max(alone, default=leaders[0].score if leaders else 0.0) + 25.0, [])
+        left = self.rows_with(full, self.candidates).residual
+        now = float(rows.residual @ rows.residual - left @ left) - sum(c.handicap for c in self.candidates)
+        best: tuple[float, list[Candidate]] = (now + CERTAIN, [])
         shaped = polynomials(rows, [ALL_SYMBOLS[c] for c in self.places], self.readings.columns, self.names)
         for c in [*leaders, *shaped]:
             if c.key not in own and c.score > best[0]:
                 best = (c.score, [c])
+        least = best[0] + CERTAIN if best[1] else now + (CERTAIN if len(refused) < 2 else RIVAL)
         for first in leaders:
             beside = self.rows_with(full, [first])
             found = search(beside, self.readings, self.scanner(beside), self.names, self.groups, keep=10)
-            if found and first.score + found[0].score > best[0] + (25.0 if len(best[1]) < 2 else 0.0):
-                best = (first.score + found[0].score, [first, found[0]])
+            if found and first.score + found[0].score > least:
+                least, best = first.score + found[0].score, (least, [first, found[0]])
         if not best[1]:
             return False
         self.steps = [Step(c) for c in best[1]]

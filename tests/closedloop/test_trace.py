@@ -238,6 +238,12 @@ def test_pieces_of_slow_columns_are_no_names_but_one_temperature_is():
     assert "on one motion" in said(lag, candidate("EYX", "t", "polynomial", degree=2))
     assert "the product of temp_a and temp_b" in said(candidate("EAX", "temp_a*temp_b"))
     assert said(lag, candidate("EYX", "spindle*spindle", "lag", tau=300.0)) == ""  # a spindle is no temperature
+    scales = {**columns, "temp_scale_y": np.sin(t / 3000)}
+    other = lambda c, table: stand_in(c, [], table, list(table))  # noqa: E731
+    assert other(candidate("EYY", "temp_scale_y*x"), scales) == ""
+    assert "temp_scale_x was not logged" in other(candidate("EXX", "temp_scale_y*x"), scales)
+    assert other(candidate("EXX", "temp_scale_y*x"), {**scales, "temp_scale_x": 0 * t}) == ""
+    assert other(candidate("EXW", "temp_scale_y"), scales) == ""  # the workpiece has no scale of its own
 
 
 def test_what_other_temperatures_piece_together_gets_no_name(tmp_path):
