@@ -50,8 +50,9 @@ def split(obj) -> list:
     The compound stays, hidden.  Refuses an object with fewer than two solids.  Opens no transaction.
     """
     if obj.TypeId in COMPOUNDS and len(obj.Links) > 1 and obj.Placement.isIdentity():
-        _show(obj.Links, obj)
-        return list(obj.Links)
+        parts = sorted(obj.Links, key=lambda part: part.ID)  # the import lists them in no order
+        _show(parts, obj)
+        return parts
     solids = obj.Shape.Solids if hasattr(obj, "Shape") else []
     if len(solids) < 2:
         raise Refused(f"{obj.Label!r} holds {len(solids)} solid", obj.Label, "Choose an object of several solids.")

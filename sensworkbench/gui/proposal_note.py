@@ -68,6 +68,13 @@ class ProposalNote(QtGui.QLabel):
             pointers.select_parts(machine, [body])
         self.lit = set(selected_links())
 
+    def release(self) -> None:
+        """Take back the selection that was only for looking."""
+        import FreeCADGui as Gui
+
+        if self.lit and not set(selected_links()) - self.lit:
+            Gui.Selection.clearSelection()
+
     def icon(self, body: str):
         """A question mark for what was not looked at yet, a tick for what was; nothing without a proposal."""
         if not self.given or not self.proposal.parts[body]:

@@ -353,6 +353,7 @@ class TaskMachine:
         if problem:
             messages.show(problem + "\n\n" + translate("Sens", "Correct it, or press Cancel."))
             return False
+        self.guess.release()
         pointers.clear(self.machine)
         Gui.Control.closeDialog()
         self.document.commitTransaction()
@@ -361,6 +362,7 @@ class TaskMachine:
     def reject(self):
         import FreeCADGui as Gui
 
+        self.guess.release()
         pointers.clear(self.machine)
         Gui.Control.closeDialog()
         self.document.abortTransaction()

@@ -111,6 +111,7 @@ def test_one_compound_becomes_a_machine_in_two_minutes(doc, workbench, files):
     screenshot("step-checked")
     click("Ok")
     actions += 1
+    assert Gui.Selection.getSelectionEx() == []
     run("Sens_Sensitivity")
     actions += 1
     took = time.monotonic() - start
