@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """From a change to the repainted window, beside setting the same colours with nothing computed.
 
-    python3 benchmarks/recolour.py [--machine XYFZ] [--grid 11] [--runs 25]
+    python3 benchmarks/recolour.py [--machine XYFZ] [--grid 11] [--runs 25] [--review]
 
 Opens FreeCAD on a private X server with an example machine, coloured and with its legend, judged at grid³ positions.
 A change is a jog (one axis), a moved part (its lever arms change, so all indices do) or another tolerance; it ends when
-a frame with the new colours is drawn.  Aim: 50 ms.  Xvfb draws by software (no graphics card), so drawing costs more
-than on a user's machine; the share that only draws is printed as its own row.  SENS_FREECAD names the program.
+a frame with the new colours is in the window.  --review shows the review beside the model.  Aim: 50 ms.  Xvfb draws by
+software (no graphics card), so drawing costs more than on a user's machine; the share that only draws is printed as its
+own row.  SENS_FREECAD names the program.
 """
 
 from __future__ import annotations
@@ -56,13 +57,13 @@ QtCore.QTimer.singleShot(300, run)
 class Window:
     """The machine in a window, and a count of the frames that were drawn."""
 
-    def __init__(self, code: str, grid: int):
+    def __init__(self, code: str, grid: int, beside: bool = False):
         import FreeCAD as App
         import FreeCADGui as Gui
         from pivy import coin
 
         from sensworkbench.document.examples import make_example
-        from sensworkbench.gui import colours, commands, messages, qt
+        from sensworkbench.gui import colours, commands, messages, qt, review
 
         self.pump = qt.pump
         Gui.activateWorkbench("SensWorkbench")
@@ -74,12 +75,17 @@ class Window:
         view.viewIsometric()
         view.fitAll()
         messages.change(self.doc, "Sensitivity", lambda: commands.compute_and_colour(self.machine))
+        if beside:
+            review.show(self.machine)
         self._parts = [t.obj for group in colours.targets(self.machine).values() for t in group]
         self.frames = 0
         watch = coin.SoCallback()
         watch.setCallback(self._drawn, None)
         view.getSceneGraph().addChild(watch)
-        self._keep = (view, watch)
+        self.swaps = 0
+        drawn_by = _drawing_widget()
+        drawn_by.frameSwapped.connect(self._swapped)
+        self._keep = (view, watch, drawn_by)
         self.pump(600)
 
     def _drawn(self, _data, action):
@@ -87,6 +93,9 @@ class Window:
 
         if action.isOfType(coin.SoGLRenderAction.getClassTypeId()):
             self.frames += 1
+
+    def _swapped(self):
+        self.swaps += 1
 
     @property
     def result(self):
@@ -101,20 +110,33 @@ class Window:
         return [colours.shown_colour(obj) for obj in self._parts]
 
     def timed(self, change, limit: float = 5.0) -> float:
-        """Milliseconds from `change` to the end of the first frame with the new colours, the result not stale."""
+        """Milliseconds from `change` until a frame with the new colours is in the window, the result not stale."""
         from PySide import QtGui
 
-        before = self.look()
+        before, coloured = self.look(), False
         start = time.perf_counter()
         change()
         while time.perf_counter() < start + limit:
-            frames = self.frames
+            frames, swaps = self.frames, self.swaps
             QtGui.QApplication.processEvents()
-            if self.frames > frames and not self.result.Stale and self.look() != before:
+            if not coloured:
+                coloured = self.frames > frames and not self.result.Stale and self.look() != before
+            if coloured and self.swaps > swaps:
                 taken = 1e3 * (time.perf_counter() - start)
-                self.pump(120)  # what is still waiting belongs to this change, not to the next
+                self.pump(400)  # what is still waiting belongs to this change, not to the next
                 return taken
         raise RuntimeError("no frame with new colours")
+
+
+def _drawing_widget():
+    """The OpenGL widget that shows the document's view: it tells when its picture is in the window."""
+    import FreeCADGui as Gui
+    from PySide import QtGui
+
+    found = [w for w in Gui.getMainWindow().findChildren(QtGui.QOpenGLWidget) if w.isVisible()]
+    if len(found) != 1:
+        raise RuntimeError(f"{len(found)} drawing widgets in the window instead of one")
+    return found[0]
 
 
 def measure() -> None:
@@ -127,7 +149,7 @@ def measure() -> None:
 
     settings = json.loads(os.environ["SENS_RECOLOUR"])
     runs = settings["runs"]
-    window = Window(settings["machine"], settings["grid"])
+    window = Window(settings["machine"], settings["grid"], settings["review"])
     doc, machine = window.doc, window.machine
     targets = [t.obj for body, group in colours.targets(machine).items() if body != "F" for t in group]
     shades = ((0.2, 0.4, 0.6), (0.6, 0.5, 0.2))
@@ -186,7 +208,7 @@ def program() -> str:
     sys.exit("freecad is not on the path; set SENS_FREECAD")
 
 
-def run(machine: str, grid: int, runs: int) -> dict:
+def run(machine: str, grid: int, runs: int, review: bool = False) -> dict:
     """Measure in a window of its own; refuses by RuntimeError where FreeCAD failed."""
     with tempfile.TemporaryDirectory(prefix="sens-recolour-") as name:
         home = Path(name)
@@ -201,7 +223,7 @@ def run(machine: str, grid: int, runs: int) -> dict:
             LIBGL_ALWAYS_SOFTWARE="1",
             SENS_RECOLOUR_ROOT=str(ROOT),
             SENS_RECOLOUR_OUT=str(out),
-            SENS_RECOLOUR=json.dumps({"machine": machine, "grid": grid, "runs": runs}),
+            SENS_RECOLOUR=json.dumps({"machine": machine, "grid": grid, "runs": runs, "review": review}),
         )
         line = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", program(), str(home / "run.py")]
         subprocess.run(line, env=environment, cwd=ROOT, timeout=600, check=False)
@@ -215,8 +237,9 @@ def main(argv: list[str]) -> int:
     parser.add_argument("--machine", default="XYFZ", choices=("XYFZ", "FXYZ", "YFXZ"))
     parser.add_argument("--grid", type=int, default=11, help="positions per axis")
     parser.add_argument("--runs", type=int, default=25)
+    parser.add_argument("--review", action="store_true", help="with the review beside the model")
     options = parser.parse_args(argv)
-    found = run(options.machine, options.grid, options.runs)
+    found = run(options.machine, options.grid, options.runs, options.review)
     base = statistics.median(found["ms"]["colours only"])
     print(f"{options.machine}, {found['parts']} coloured parts, {options.grid}³ positions, {options.runs} runs each; "
           f"software GL, load {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores")  # fmt: skip

@@ -274,3 +274,25 @@ def test_a_picture_can_be_saved_from_any_folder(machine, tmp_path):
     assert {p.name for p in paths} == {"report.html", "sensitivity.json", "sensitivity.csv", "view.png"}
     assert all(os.path.getsize(p) > 200 for p in paths)
     assert "data:image/png" in (tmp_path / "report" / "report.html").read_text(encoding="utf-8")
+
+
+def test_what_is_posted_comes_before_a_picture_that_was_asked_for_earlier(workbench):
+    from sensworkbench.gui.qt import soon
+
+    order = []
+
+    class Watched(QtGui.QWidget):
+        def paintEvent(self, _event):
+            order.append("painted")
+
+    window = Watched()
+    window.resize(120, 80)
+    window.show()
+    pump(200)
+    assert order
+    order.clear()
+    window.update()
+    soon(lambda: order.append("posted"))
+    pump(100)
+    window.close()
+    assert order == ["posted", "painted"]
