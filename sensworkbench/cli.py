@@ -189,6 +189,8 @@ def _run_on_freecads_numpy(argv: Sequence[str]) -> int:
     try:
         handoff.freecadcmd()
     except Refused:
+        if os.environ.get("SENS_FREECADCMD"):  # the one that was asked for is not there: that is the message
+            raise
         what = "numpy is missing from this Python, and there is no FreeCAD to run in"
         do = "Install numpy for it, use another Python, or install FreeCAD, which brings numpy."
         raise Refused(what, sys.executable, do) from None

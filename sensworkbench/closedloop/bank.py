@@ -101,6 +101,8 @@ def bank(readings) -> list[Shape]:
     for a, b in itertools.combinations_with_replacement(names, 2):
         if a == b and (a in two_level or a in DIRECTIONS):
             continue
+        if a != b and all(n == "t" or n.startswith("temp_") for n in (a, b)):
+            continue  # temperatures and time multiply nothing on a machine
         put(Shape(driver_name((a, b)), "linear"))
     place = [n for n in POSITIONS if n in names]
     for a in names:

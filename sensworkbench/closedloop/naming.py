@@ -88,9 +88,9 @@ def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int,
 def stand_in(candidate: Candidate, others, columns, names) -> str:
     """Why a finding on temperatures and time is but a stand-in for a column that was not logged ("" if it is none).
 
-    Any slow curve can be pieced together from other slow curves.  Two pieces on one motion, one of them bent, or the
-    product of two of them, have no physics; a single temperature may have, unless it is that of another axis and the
-    moving one's own was not logged.
+    Any slow curve can be pieced together from others: two pieces on one motion are no names, unless each acts in
+    proportion, as a warm-up or at an instant.  Nor is a polynomial of one temperature (expansion is in proportion), nor
+    the temperature of another axis where that of the moving one was not logged.
     """
     slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {"t"}
 
@@ -99,17 +99,17 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
         return factors & slow, factors - slow
 
     def bent(c: Candidate) -> bool:
-        twice = c.shape.factors > len(set(c.shape.driver.split("*")))
-        timed = "t" in parts(c)[0] and c.shape.shape not in ("approach", "step")
-        return c.shape.shape in ("polynomial", "power") or twice or timed
+        if "t" in parts(c)[0]:
+            return c.shape.shape not in ("approach", "step")
+        return c.shape.shape != "linear" or c.shape.factors > len(set(c.shape.driver.split("*")))
 
     def motion(c: Candidate):
         at = component(c.symbol)
         return c.symbol if at.angular else at.axis
 
     mine, rest = parts(candidate)
-    if len(mine) > 1:
-        return f"the product of {' and '.join(sorted(mine))} stands in for something slow that was not logged"
+    if candidate.shape.shape == "polynomial" and mine and "t" not in mine:
+        return f"expansion is in proportion: a bent {candidate.shape.driver} stands in for what was not logged"
     own = component(candidate.symbol).body.lower()
     for name in sorted(mine) if own in POSITIONS else ():
         stem, _, axis = name.rpartition("_")
@@ -117,6 +117,8 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
             return f"{name} belongs to another axis, and {stem}_{own} was not logged"
     for o in others if mine else ():
         theirs, same = parts(o)
+        if "step" in (candidate.shape.shape, o.shape.shape):
+            continue  # nothing slow looks like an instant
         if theirs and same == rest and motion(o) == motion(candidate) and (bent(o) or bent(candidate)):
             both = " and ".join(sorted(mine | theirs))
             return f"pieces of {both} on one motion stand in for something slow that was not logged"

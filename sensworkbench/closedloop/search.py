@@ -91,8 +91,6 @@ def handicap(symbol: str, shape: Shape) -> float:
         cost += 0.5
     if shape.shape in ("power", "hysteresis"):
         cost += 2.0
-    if sum(part.startswith("temp_") for part in shape.driver.split("*")) > 1:
-        cost += 3.0  # two temperatures multiply nothing on a machine
     if shape.shape == "polynomial" and shape.driver.startswith("temp_"):
         cost += 8.0  # expansion is linear
     if shape.shape == "approach":
@@ -182,9 +180,10 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
         found = _golden(seen, max(0.25, start - 0.5), start + 0.6, steps)
     else:
         ratio = 1.7 if name == "tau" else 2.5
-        found = math.exp(
-            _golden(lambda v: seen(math.exp(v)), math.log(start / ratio), math.log(start * ratio), steps)
-        )
+        high = start * ratio
+        if name == "tau" and shape.shape == "lag":  # a memory of much more than the session is a trend of time
+            high = min(high, max(start, 1.5 * float(np.ptp(columns["t"]))))
+        found = math.exp(_golden(lambda v: seen(math.exp(v)), math.log(start / ratio), math.log(high), steps))
     better = at(float(found))
     return better if better.gain > candidate.gain and better.visible > MIN_VISIBLE else candidate
 

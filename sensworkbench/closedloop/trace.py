@@ -70,7 +70,8 @@ def trace(
         tracer.review()
     named = _consistent(tracer)
     doubtful = any(s.refused and s.significant for s in tracer.steps) and not tracer.coloured
-    if doubtful and tracer.rescue(tell):
+    several = len(tracer.steps) > 1 and not tracer.coloured  # one after another may not be the best together
+    if (doubtful or several) and tracer.rescue(tell):
         named = _consistent(tracer)
     tracer.polish(named)
     smooth, remainder, structured = _remainder(tracer, named)

@@ -229,15 +229,17 @@ def test_pieces_of_slow_columns_are_no_names_but_one_temperature_is():
     columns = {"x": np.tile([-1.0, 1.0], 150), "t": t, "temp_a": t / 1000, "temp_b": np.sqrt(t), "spindle": t > 3000}
     said = lambda c, *others: stand_in(c, others, columns, list(columns))  # noqa: E731
     lag = candidate("EYX", "temp_a", "lag", tau=900.0)
-    assert said(lag) == said(lag, candidate("EYX", "temp_b")) == ""  # two causes, each in proportion
+    assert said(lag) == said(lag, candidate("EYX", "t", "step", at=3000.0)) == ""
+    assert said(candidate("EYX", "temp_a"), candidate("EYX", "temp_b")) == ""  # two causes, each in proportion
+    assert said(candidate("EYX", "temp_a"), candidate("EYX", "t", "approach", tau=300.0)) == ""  # and a warm-up
     bent = candidate("EYZ", "temp_b", "power", exponent=1.4)  # both shift along Y
     assert "temp_a and temp_b on one motion" in said(lag, bent) and "on one motion" in said(bent, lag)
-    assert said(lag, candidate("EXX", "temp_b", "power", exponent=1.4)) == ""  # another motion
-    assert said(lag, candidate("EYX", "temp_b*x", "polynomial", degree=2)) == ""  # grows with x: another motion
-    assert said(lag, candidate("EYX", "t", "approach", tau=300.0)) == ""  # a warm-up
+    assert "on one motion" in said(lag, candidate("EYX", "temp_b"))
     assert "on one motion" in said(lag, candidate("EYX", "t", "polynomial", degree=2))
-    assert "the product of temp_a and temp_b" in said(candidate("EAX", "temp_a*temp_b"))
+    assert said(lag, candidate("EXX", "temp_b", "power", exponent=1.4)) == ""  # another motion
+    assert said(lag, candidate("EYX", "spindle*temp_b", "lag", tau=90.0)) == ""  # with the spindle: another cause
     assert said(lag, candidate("EYX", "spindle*spindle", "lag", tau=300.0)) == ""  # a spindle is no temperature
+    assert "in proportion" in said(candidate("EAX", "temp_a", "polynomial", degree=3))
     scales = {**columns, "temp_scale_y": np.sin(t / 3000)}
     other = lambda c, table: stand_in(c, [], table, list(table))  # noqa: E731
     assert other(candidate("EYY", "temp_scale_y*x"), scales) == ""
