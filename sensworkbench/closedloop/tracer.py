@@ -393,7 +393,8 @@ class Tracer:
         rows = self.rows_with(full, [*apart, c])
         used = int(np.count_nonzero(full.weight))
         table, names = self.readings.columns, self.names
-        reason = stand_in(c, others, table, names) or beyond(rows, c, table, names, used, self.inflation)
+        reason = "" if self.coloured else stand_in(c, others, table, names)
+        reason = reason or beyond(rows, c, table, names, used, self.inflation)
         if not reason and self.amplitude_um(c) > LARGEST_UM:
             return f"{self.amplitude_um(c):.0f} um is no plausible size"
         return reason
