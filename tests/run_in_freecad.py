@@ -5,7 +5,10 @@
 
 The add-on is linked into the Mod folder of a throw-away user home (FreeCAD restores Python objects only from there).  A
 window opens on a private X server without start page, splash or animation.  SENS_FREECADCMD and SENS_FREECAD name
-the programs where they are not on the path; SENS_TEST_TIMEOUT limits a run (seconds, default 1800).
+the programs where they are not on the path.
+
+A run that hangs ends as a failure with the stacks of all threads: when no test has begun or ended for SENS_TEST_QUIET
+seconds (default 300), or after SENS_TEST_TIMEOUT seconds (default 1500).
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -30,8 +34,26 @@ USER_CFG = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 
 # run by FreeCAD itself; ends the process with pytest's status, which no other way out does on all versions
 RUNNER = """
-import json, os, sys, traceback
+import faulthandler, json, os, sys, time, traceback
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+class Watch:
+    # a thread of faulthandler's own, which needs neither Python nor the event loop, writes the stacks and ends FreeCAD
+    def __init__(self):
+        self.log = os.dup(2)  # pytest redirects file descriptor 2 while a test runs
+        self.quiet, limit = float(os.environ["SENS_TEST_QUIET"]), float(os.environ["SENS_TEST_LIMIT"])
+        self.end = time.monotonic() + limit
+        self.again()
+    def again(self):
+        seconds = max(1.0, min(self.quiet, self.end - time.monotonic()))
+        faulthandler.dump_traceback_later(seconds, exit=True, file=self.log)
+    def pytest_runtest_logstart(self, nodeid, location):
+        self.again()
+    def pytest_runtest_logreport(self, report):
+        self.again()
+    def pytest_unconfigure(self, config):
+        self.again()
+watch = Watch()
+open(os.environ["SENS_TEST_BEGAN"], "w").close()
 def run():
     status = 3
     try:
@@ -46,7 +68,7 @@ def run():
         os.chdir(root)
         if root not in sys.path:
             sys.path.insert(0, root)
-        status = int(pytest.main(json.loads(os.environ["SENS_TEST_ARGS"])))
+        status = int(pytest.main(json.loads(os.environ["SENS_TEST_ARGS"]), plugins=[watch]))
     except BaseException:
         traceback.print_exc()
     sys.stdout.flush(); sys.stderr.flush()
@@ -76,11 +98,49 @@ def make_home(folder: Path) -> None:
     (folder / "run.py").write_text(RUNNER, encoding="utf-8")
 
 
+def finish(process: subprocess.Popen, began: Path, quiet: float, limit: float) -> int:
+    """The exit status of a run; one that neither began within `quiet` s nor ended itself after `limit` s is killed."""
+    try:
+        try:
+            return process.wait(min(quiet, limit))
+        except subprocess.TimeoutExpired:
+            if not began.exists():
+                print(f"FreeCAD has not begun a test after {min(quiet, limit):g} s", file=sys.stderr)
+                return 124
+        try:
+            return process.wait(max(0.0, limit - quiet) + 30)  # FreeCAD ends itself at the limit, and says where it was
+        except subprocess.TimeoutExpired:
+            print(f"no end after {limit:g} s", file=sys.stderr)
+            return 124
+    finally:
+        if process.poll() is None:
+            kill_all(process)
+
+
+def kill_all(process: subprocess.Popen) -> None:
+    """End a run with everything it has started, FreeCAD and X server too."""
+    if hasattr(os, "killpg"):
+        os.killpg(process.pid, signal.SIGTERM)
+        try:
+            process.wait(5)
+        except subprocess.TimeoutExpired:
+            pass
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+    else:
+        process.kill()
+    process.wait()
+
+
 def main(argv: list[str]) -> int:
     gui = "--gui" in argv
     arguments = [a for a in argv if a != "--gui"] or ["-q", "tests/document"]
     command = program(gui)
-    with tempfile.TemporaryDirectory(prefix="sens-home-") as name:
+    quiet = float(os.environ.get("SENS_TEST_QUIET", "300"))
+    limit = float(os.environ.get("SENS_TEST_TIMEOUT", "1500"))
+    with tempfile.TemporaryDirectory(prefix="sens-home-", ignore_cleanup_errors=True) as name:
         home = Path(name)
         make_home(home)
         environment = dict(
@@ -90,16 +150,16 @@ def main(argv: list[str]) -> int:
             SENS_TEST_ROOT=str(ROOT),
             SENS_TEST_ARGS=json.dumps(arguments),
             SENS_TEST_PACKAGES=sysconfig.get_paths()["purelib"],
+            SENS_TEST_BEGAN=str(home / "began"),
+            SENS_TEST_QUIET=str(quiet),
+            SENS_TEST_LIMIT=str(limit),
         )
         line = [command, str(home / "run.py")]
         if gui:
             line = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *line]
-        timeout = float(os.environ.get("SENS_TEST_TIMEOUT", "1800"))
-        try:
-            return subprocess.run(line, env=environment, cwd=ROOT, timeout=timeout).returncode
-        except subprocess.TimeoutExpired:
-            print(f"no end after {timeout:g} s: {' '.join(line)}", file=sys.stderr)
-            return 124
+        signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # by way of `finish`, which ends FreeCAD too
+        process = subprocess.Popen(line, env=environment, cwd=ROOT, start_new_session=True)
+        return finish(process, home / "began", quiet, limit)
 
 
 if __name__ == "__main__":
