@@ -7,6 +7,7 @@ touches no document, with a progress bar and Cancel; cancelling leaves the old r
 
 from __future__ import annotations
 
+import gc
 import threading
 
 import FreeCAD as App
@@ -15,7 +16,7 @@ from ..core import workspace
 from ..core.refusal import Refused
 from ..document import extract, factory, results
 from . import settings
-from .qt import Qt, QtCore, QtGui, later, main_window, run, translate
+from .qt import Qt, QtCore, QtGui, later, main_window, run, soon, translate
 
 _waiting: set[tuple[str, str]] = set()
 LIVE_POINTS = 2000  # more positions than these are computed on command only
@@ -50,12 +51,20 @@ def answer(machine, result) -> bool:
 
 
 class Task:
-    """A function in a thread of its own.  `progress` is handed to it; a false return means stop."""
+    """A function in a thread of its own, to be started at once.  It is handed `progress`; a false return means stop.
+
+    Windows and timers that were dropped must not be deleted in the thread: Qt crashes.  So Python collects no garbage
+    while a task runs, and the function, with all that it refers to, is let go in the event loop.
+    """
+
+    _running = 0
 
     def __init__(self, function):
         self.fraction, self.cancelled, self.result, self.error = 0.0, False, None, None
         self._function = function
         self.thread = threading.Thread(target=self._run, daemon=True)
+        gc.disable()
+        Task._running += 1
 
     def progress(self, fraction: float) -> bool:
         self.fraction = fraction
@@ -66,6 +75,14 @@ class Task:
             self.result = self._function(self.progress)
         except Exception as error:  # noqa: BLE001 - handed to the event loop, which raises it there
             self.error = error
+        soon(self._done)
+
+    def _done(self):
+        self.thread.join()
+        self._function = None
+        Task._running -= 1
+        if not Task._running:
+            gc.enable()
 
 
 def in_background(function, title: str, patience: float = 0.3):

@@ -493,32 +493,6 @@ def test_errors_of_the_map_are_those_of_sampled_machines(machine):
     )
 
 
-def test_long_work_can_be_cancelled_and_keeps_the_old_result(machine, machine_doc):
-    from sensworkbench.core.workspace import Cancelled
-    from sensworkbench.gui import live
-    from sensworkbench.gui.qt import QtCore, QtGui, main_window
-
-    run("Sens_Sensitivity")
-    before = state(machine_doc)
-    ticks = []
-    timer = QtCore.QTimer()
-    timer.timeout.connect(lambda: ticks.append(1))
-    timer.start(20)
-    QtCore.QTimer.singleShot(700, lambda: main_window().findChild(QtGui.QProgressDialog, "SensProgress").cancel())
-
-    def endless(progress):
-        import time
-
-        while progress(0.5):
-            time.sleep(0.01)
-        raise Cancelled("cancelled")
-
-    with pytest.raises(Cancelled):
-        live.in_background(endless, "Computing")
-    assert len(ticks) > 5  # the window went on living
-    assert differences(before, state(machine_doc)) == []
-
-
 def test_preferences_show_and_store_what_the_code_uses(workbench):
     from sensworkbench.gui.preferences import PreferencePage, read_field
 
