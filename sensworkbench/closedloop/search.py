@@ -180,6 +180,10 @@ def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candid
         found = _golden(seen, max(0.25, start - 0.5), start + 0.6, steps)
     else:
         ratio = 1.7 if name == "tau" else 2.5
+        if name == "width":  # steps of a grid make several maxima: look at all of them first
+            span = float(np.ptp(columns[shape.driver]))
+            ratio, grid = 1.25, np.geomspace(span / 400, span / 5, 20)
+            start = max([start, *map(float, grid)], key=seen)
         high = start * ratio
         if name == "tau" and shape.shape == "lag":  # a memory of much more than the session is a trend of time
             high = min(high, max(start, 1.5 * float(np.ptp(columns["t"]))))
