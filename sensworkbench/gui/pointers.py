@@ -12,6 +12,7 @@ from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, Arrow
 from .qt import translate
 from .texts import body_name
 
+UP = App.Vector(-1, 1, 2)  # upwards on the screen in the isometric view
 BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
 
 
@@ -51,7 +52,8 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             a = start + obj.Direction * (sign * (low - here))
             b = start + obj.Direction * (sign * (high - here))
             text = translate("Sens", "{name}: {low} … {high} mm").format(name=name, low=f"{low:g}", high=f"{high:g}")
-            found.append(Arrow(tuple(a), tuple(b), colour, text, 1.0))
+            higher = 1.0 if (b - a).dot(UP) >= 0 else 0.0  # that of the reference point stands below it
+            found.append(Arrow(tuple(a), tuple(b), colour, text, higher))
         text = translate("Sens", "Reference {name}").format(name=name)
         if offset.Length < 1e-6:
             found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text, below=True))
@@ -100,7 +102,7 @@ def show(machine, bodies, *, detail: bool = True) -> None:
 def clear(machine) -> None:
     try:
         proxy = machine.ViewObject.Proxy
-    except ReferenceError:  # the machine is gone, and its arrows with it
+    except (ReferenceError, NameError, RuntimeError):  # the machine or its document is gone, and its arrows with it
         return
     if hasattr(proxy, "arrows"):
         proxy.arrows.clear()

@@ -103,7 +103,10 @@ class Observer:
         look_soon(doc)
 
     def slotDeletedDocument(self, doc):
+        from . import panel
+
         _seen.discard(doc.Name)
+        panel.document_gone(doc.Name)
 
     def slotDeletedObject(self, obj):
         # FreeCAD 1.0 cannot undo the making of an object whose links it has yet to take back ("invalid container", and
@@ -122,6 +125,9 @@ class Observer:
 
     @staticmethod
     def _settle(doc):
+        from . import panel
+
+        panel.undone(doc.Name)
         if any(hasattr(o, "SensType") for o in doc.Objects):
             from .adopt import settle
 

@@ -13,6 +13,7 @@ from ..core.refusal import Refused
 from ..document import assembly as reader
 from ..document import joints
 from . import messages, settings
+from .panel import show as show_panel
 from .preferences import combo
 from .qt import QtGui, buttons, translate
 
@@ -125,9 +126,7 @@ class TaskAssembly:
         """Make the machine as chosen.  The caller opens the transaction."""
         tool, _ = self._chosen()
         group = self.reading.groups[tool[-1].outer if tool else self.reading.bed]
-        machine = reader.machine_from_assembly(
-            self.doc, self.reading, tool=group.parts[0], tool_point=self.tool_point
-        )
+        machine = reader.machine_from_assembly(self.doc, self.reading, tool=group.parts[0], tool_point=self.tool_point)
         settings.give(machine)
         return machine
 
@@ -157,5 +156,5 @@ def open_panel(doc=None):
     names = {o.Name for o in found(doc)}
     chosen = next((o for o in Gui.Selection.getSelection() if o.Name in names), None)
     panel = TaskAssembly(doc, chosen)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, doc)
     return panel

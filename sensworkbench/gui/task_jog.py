@@ -13,6 +13,7 @@ from ..document import drive, extract, factory
 from ..document import jog as moving
 from . import colours, display, messages, pointers
 from .colormap import automatic
+from .panel import show as show_panel
 from .preferences import number_box
 from .qt import Qt, QtCore, QtGui, buttons, translate
 from .texts import body_name
@@ -22,6 +23,8 @@ STEPS = 1000
 
 class TaskJog:
     """The panel.  `position` is where the axes stand."""
+
+    holds_transaction = True
 
     def __init__(self, machine):
         self.machine = machine
@@ -196,11 +199,14 @@ class TaskJog:
     def getStandardButtons(self):
         return buttons("Ok", "Cancel")
 
+    def leave(self):
+        self._timer.stop()
+        pointers.clear(self.machine)
+
     def _close(self):
         import FreeCADGui as Gui
 
-        self._timer.stop()
-        pointers.clear(self.machine)
+        self.leave()
         result = factory.sensitivity_of(self.machine)
         if result is not None:
             display.update(result)
@@ -224,8 +230,6 @@ class TaskJog:
 
 def jog(machine):
     """Open the panel for a machine."""
-    import FreeCADGui as Gui
-
     panel = TaskJog(machine)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, machine.Document)
     return panel

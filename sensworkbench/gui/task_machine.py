@@ -16,6 +16,7 @@ from ..core.workspace import Cancelled
 from ..document import factory, paths, refresh
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
+from .panel import show as show_panel
 from .preferences import combo, number_box, read_field, write_field
 from .proposal_note import ProposalNote, watch
 from .qt import Qt, QtGui, buttons, translate
@@ -48,6 +49,8 @@ def words_of(links) -> str:
 
 class TaskMachine:
     """The panel; its transaction is open when it is made.  proposed : what was guessed, to be checked, or None."""
+
+    holds_transaction = True
 
     def __init__(self, machine, body: str | None = None, proposed: proposal.Proposal | None = None):
         self.machine, self.document = machine, machine.Document
@@ -353,17 +356,19 @@ class TaskMachine:
         if problem:
             messages.show(problem + "\n\n" + translate("Sens", "Correct it, or press Cancel."))
             return False
-        self.guess.release()
-        pointers.clear(self.machine)
+        self.leave()
         Gui.Control.closeDialog()
         self.document.commitTransaction()
         return True
 
+    def leave(self):
+        self.guess.release()
+        pointers.clear(self.machine)
+
     def reject(self):
         import FreeCADGui as Gui
 
-        self.guess.release()
-        pointers.clear(self.machine)
+        self.leave()
         Gui.Control.closeDialog()
         self.document.abortTransaction()
         self.document.recompute()
@@ -371,9 +376,15 @@ class TaskMachine:
 
 
 def new_machine(doc):
-    """Propose a machine for the selection (or the document) in a transaction and open the panel; None if stopped."""
-    import FreeCADGui as Gui
+    """Propose a machine for the selection (or the document) in a transaction and open the panel; None if stopped.
 
+    Refuses a document without parts.
+    """
+    if not proposal.selected_links() and not proposal.candidates(doc):
+        raise Refused(
+            translate("Sens", "there are no parts in this document yet"), doc.Label,
+            translate("Sens", "Import or draw the machine's parts first, or begin with Example Machine."),
+        )  # fmt: skip
     doc.openTransaction(translate("Sens", "Machine from selection"))
     try:
         with watch() as progress:
@@ -388,15 +399,13 @@ def new_machine(doc):
     except Refused:
         doc.abortTransaction()
         raise
-    Gui.Control.showDialog(panel)
+    show_panel(panel, doc)
     return panel
 
 
 def edit_machine(machine, body: str | None = None):
     """Open the panel for a machine, on one of its components."""
-    import FreeCADGui as Gui
-
     machine.Document.openTransaction(translate("Sens", "Edit machine"))
     panel = TaskMachine(machine, body)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, machine.Document)
     return panel

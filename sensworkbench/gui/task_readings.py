@@ -15,6 +15,7 @@ from ..formats import column_guess, csv_table, readings_csv
 from ..formats.column_guess import DRIVER, IGNORE, Guess
 from ..formats.readings_conventions import ANSWERS, question
 from . import messages
+from .panel import show as show_panel
 from .preferences import combo, number_box
 from .qt import QtCore, QtGui, buttons, translate
 
@@ -257,10 +258,13 @@ class TaskReadings:
             messages.status(self.note.text())
         return done
 
+    def leave(self):
+        self._timer.stop()
+
     def reject(self):
         import FreeCADGui as Gui
 
-        self._timer.stop()
+        self.leave()
         Gui.Control.closeDialog()
         return True
 
@@ -334,8 +338,6 @@ def question_words(key: str) -> tuple[str, list[tuple[str, str]], str]:
 
 def import_readings(machine, path):
     """Open the panel for a file."""
-    import FreeCADGui as Gui
-
     panel = TaskReadings(machine, path)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, machine.Document)
     return panel

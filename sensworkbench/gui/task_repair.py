@@ -13,6 +13,7 @@ import FreeCADGui as Gui
 from ..document import repair
 from ..document.base import alive
 from . import messages
+from .panel import show as show_panel
 from .qt import Qt, QtGui, buttons, main_window, translate
 from .viewproviders import dress
 
@@ -108,7 +109,7 @@ def redress(doc) -> None:
 def open_panel(doc):
     """Open the panel for a document."""
     panel = TaskRepair(doc)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, doc)
     Gui.Selection.clearSelection()
     return panel
 

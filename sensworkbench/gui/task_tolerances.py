@@ -14,11 +14,16 @@ from ..core.units import parse, shown
 from ..document import tables
 from ..formats import tolerances as files
 from . import messages, settings
+from .panel import show as show_panel
 from .preferences import combo
 from .qt import Qt, QtCore, QtGui, buttons, translate
 from .texts import body_name, distribution_name, error_meaning, plain, unit_sign
 
 SYMBOL, LOWER, UPPER, UNIT, LAW, OWNER, MEANING = range(7)
+try:
+    RIGHT = int(Qt.AlignRight | Qt.AlignVCenter)  # Qt 5 takes nothing else from a model
+except TypeError:
+    RIGHT = Qt.AlignRight | Qt.AlignVCenter
 UNITS = {True: ("urad", "arcsec", "mrad", "deg"), False: ("um", "nm", "mm")}
 
 
@@ -126,7 +131,7 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         if role == Qt.ToolTipRole:
             return problem or (row.component.alias or None if column == SYMBOL else None)
         if role == Qt.TextAlignmentRole and column in (LOWER, UPPER):
-            return Qt.AlignRight | Qt.AlignVCenter
+            return RIGHT
         if role == Qt.FontRole and column == SYMBOL:
             font = QtGui.QFont()
             font.setBold(True)
@@ -347,6 +352,9 @@ class TaskTolerances:
         Gui.Control.closeDialog()
         return True
 
+    def leave(self):
+        self.table.setModel(None)  # its rows name parts of the machine
+
     def reject(self):
         import FreeCADGui as Gui
 
@@ -356,8 +364,6 @@ class TaskTolerances:
 
 def edit_tolerances(machine):
     """Open the panel for a machine."""
-    import FreeCADGui as Gui
-
     panel = TaskTolerances(machine)
-    Gui.Control.showDialog(panel)
+    show_panel(panel, machine.Document)
     return panel

@@ -14,6 +14,7 @@ from ..core.workspace import Cancelled
 from ..document import closed_loop, extract, factory
 from . import messages, residuals, trace_pages
 from .live import Task
+from .panel import show as show_panel
 from .preferences import combo
 from .qt import QtCore, QtGui, buttons, translate
 
@@ -188,7 +189,7 @@ class TaskTrace:
     def _look(self) -> None:
         task = self.task
         if task is None or self.form is None or self.document not in App.listDocuments():
-            self._leave()
+            self.leave()
             return
         if task.thread.is_alive():
             self.progress.setValue(int(1000 * task.fraction))
@@ -209,7 +210,7 @@ class TaskTrace:
     def _sync(self) -> None:
         """Bring buttons and pages up to date with the document, also after undo."""
         if self.form is None or self.document not in App.listDocuments():  # FreeCAD closed the panel
-            self._leave()
+            self.leave()
             return
         if self.table not in App.getDocument(self.document).Objects:
             self.form.setEnabled(False)
@@ -292,11 +293,11 @@ class TaskTrace:
     def reject(self):
         import FreeCADGui as Gui
 
-        self._leave()
+        self.leave()
         Gui.Control.closeDialog()
         return True
 
-    def _leave(self) -> None:
+    def leave(self) -> None:
         self._watch.stop()
         self._poll.stop()
         if self.task is not None:
@@ -346,9 +347,7 @@ def ask_and_write(trace) -> list:
 
 def open_panel(table, start: bool = False):
     """Open the panel for a Readings object."""
-    import FreeCADGui as Gui
-
     panel = TaskTrace(factory.owner_machine(table), table, start)
     last[:] = [panel]
-    Gui.Control.showDialog(panel)
+    show_panel(panel, table.Document)
     return panel
