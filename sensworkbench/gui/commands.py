@@ -290,7 +290,14 @@ def toolbars() -> list[tuple[str, list[str]]]:
         ),
         (
             translate("Workbench", "Sens Closed Loop"),
-            ["Sens_ImportReadings", "Sens_Trace", "Sens_AddEffect", "Sens_Residuals", "Sens_TraceReport"],
+            [
+                "Sens_ImportReadings",
+                "Sens_Trace",
+                "Sens_AddEffect",
+                "Sens_Residuals",
+                "Sens_TraceReport",
+                "Sens_Tables",
+            ],
         ),
     ]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the closed loop, in the order of the work: readings, fit, trace, effects, residuals, report."""
+"""The commands of the closed loop, in the order of the work: readings, fit, trace, effects, residuals, files."""
 
 from __future__ import annotations
 
@@ -168,7 +168,23 @@ class TraceReport(Command):
         ask_and_write(current_trace())
 
 
-COMMANDS = (ImportReadings, Fit, Trace, AddEffect, SwitchEffect, Residuals, TraceReport)
+class Tables(Command):
+    name = "Sens_Tables"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Tables", "Export Compensation Tables…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Tables", "Writes the fitted errors as tables of a controller, and states what they cannot hold"
+    )
+
+    def IsActive(self):
+        return not busy() and any(m.Fitted for m in machines())
+
+    def run(self):
+        from .task_tables import open_panel
+
+        open_panel(current_machine())
+
+
+COMMANDS = (ImportReadings, Fit, Trace, AddEffect, SwitchEffect, Residuals, TraceReport, Tables)
 
 
 def names() -> list[str]:

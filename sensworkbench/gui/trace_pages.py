@@ -85,10 +85,14 @@ def table(head, rows) -> str:
     cells = "".join(f"<th {a}>{escape(str(h).lstrip('#'))}</th>" for h, a in zip(head, align))
     lines = [f"<tr>{cells}</tr>"]
     for row in rows:
-        lines.append(
-            "<tr>" + "".join(f"<td {a} valign='top'>{escape(str(c))}</td>" for c, a in zip(row, align)) + "</tr>"
-        )
+        lines.append("<tr>" + "".join(f"<td {a} valign='top'>{_cell(c)}</td>" for c, a in zip(row, align)) + "</tr>")
     return "<table cellspacing='0' cellpadding='3' width='100%'>" + "".join(lines) + "</table>"
+
+
+def _cell(text) -> str:
+    """A short text stays in one line: Qt breaks words where a column is narrow."""
+    words = escape(str(text))
+    return f"<p style='white-space:nowrap; margin:0'>{words}</p>" if len(str(text)) < 14 else words
 
 
 def facts(pairs) -> str:

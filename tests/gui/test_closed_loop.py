@@ -14,6 +14,7 @@ from sensworkbench.document import closed_loop, extract, factory
 from sensworkbench.formats import readings_csv
 from sensworkbench.gui import colours, residuals, task_trace
 from sensworkbench.gui import messages as gui_messages
+from sensworkbench.gui import panel as frame
 from sensworkbench.gui.qt import QtGui, pump
 from sensworkbench.gui.task_readings import COLUMN, TaskReadings, data, import_readings
 
@@ -22,7 +23,7 @@ from .conftest import close_messages, differences, look, messages, picture, roun
 from .test_commands import active, click
 from .test_panels import width  # noqa: F401 - room for the task panel
 
-LOOP = {"Sens_Fit", "Sens_Trace", "Sens_AddEffect", "Sens_Residuals", "Sens_TraceReport"}
+LOOP = {"Sens_Fit", "Sens_Trace", "Sens_AddEffect", "Sens_Residuals", "Sens_TraceReport", "Sens_Tables"}
 
 
 @pytest.fixture
@@ -382,3 +383,31 @@ def test_an_augmented_document_from_a_batch_run_opens_with_colours_and_effect(ma
         assert visible == machine_doc.getObject(name).ViewObject.Visibility, name
     assert len({repr(rounded(colour)) for _, colour in seen.values()}) > 4
     screenshot("augmented-document")
+
+
+# -- tables of a controller --------------------------------------------------------------------------------------------
+def test_tables_are_written_once_errors_are_fitted(machine, machine_doc, traced, tmp_path, monkeypatch):
+    from sensworkbench.formats.exchange import convert
+    from sensworkbench.gui import task_tables
+
+    assert not active("Sens_Tables")
+    task_trace.add_effects(traced[1])
+    assert active("Sens_Tables")
+    before, undos = state(machine_doc), machine_doc.UndoCount
+    run("Sens_Tables")
+    panel = frame._open[0][0]
+    assert isinstance(panel, task_tables.TaskTables)
+    for name in convert.FORMATS:
+        choose(panel.format, name)
+        said = panel.statement.toPlainText()
+        assert "after compensation" in said and "temp_column" in said  # what no table of positions can hold is named
+        folder = tmp_path / name
+        monkeypatch.setattr(gui_messages, "ask_folder", lambda _title, folder=folder: str(folder))
+        panel.write.click()
+        assert {p.name for p in folder.iterdir()} == {*panel.written.files, "statement.txt"}
+        assert (folder / "statement.txt").read_text(encoding="utf-8").rstrip() == said.rstrip()
+    screenshot("tables")
+    monkeypatch.setattr(gui_messages, "ask_folder", lambda _title: "")
+    assert panel.ask_and_write() == []
+    click("Close")
+    assert differences(before, state(machine_doc)) == [] and machine_doc.UndoCount == undos

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that writes a machine's fitted errors as the tables of a controller.
+
+Before anything is written it shows the statement: what the chosen format holds, what it cannot hold, and the predicted
+error before and after.  It changes nothing in the document.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..core.refusal import Refused
+from ..document import extract
+from ..formats.exchange import convert
+from . import messages
+from .panel import show as show_panel
+from .preferences import combo
+from .qt import QtGui, buttons, translate
+
+
+class TaskTables:
+    """The panel; `written` is what would be written in the chosen format, None where that is refused."""
+
+    def __init__(self, machine):
+        self.core = extract.core_machine(machine)  # refuses before anything is opened
+        if not self.core.fitted:
+            raise Refused(
+                translate("Sens", "it has no fitted errors yet"), machine.Label,
+                translate("Sens", "Trace readings and add what was found first."),
+            )  # fmt: skip
+        self.written = None
+        self.form = QtGui.QWidget()
+        self.form.setObjectName("SensTables")
+        self.form.setWindowTitle(translate("Sens", "Compensation tables of {name}").format(name=machine.Label))
+        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Tables")))
+        page = QtGui.QVBoxLayout(self.form)
+        row = QtGui.QHBoxLayout()
+        row.addWidget(QtGui.QLabel(translate("Sens", "Format")))
+        self.format = combo(list(convert.FORMATS.items()))
+        self.format.setObjectName("SensTableFormat")
+        row.addWidget(self.format, 1)
+        page.addLayout(row)
+        page.addWidget(QtGui.QLabel(translate("Sens", "What these files hold, and what they cannot:")))
+        self.statement = QtGui.QPlainTextEdit()
+        self.statement.setObjectName("SensStatement")
+        self.statement.setReadOnly(True)
+        self.statement.setMinimumHeight(340)
+        page.addWidget(self.statement, 1)
+        self.write = QtGui.QPushButton(QtGui.QIcon(messages.icon("Sens_Tables")), translate("Sens", "Write files…"))
+        self.write.setToolTip(translate("Sens", "Writes the tables and this statement into a folder"))
+        self.write.clicked.connect(self.ask_and_write)
+        page.addWidget(self.write)
+        self.format.currentIndexChanged.connect(self.show)
+        self.show()
+
+    def show(self, *_) -> None:
+        """State what the chosen format holds, or why it can hold nothing of this machine."""
+        self.written = None
+        try:
+            self.written = convert.write(self.core, self._chosen())
+            text = convert.statement(self.core, self.written)
+        except Refused as error:
+            text = error.message
+        self.statement.setPlainText(text)
+        self.write.setEnabled(self.written is not None)
+
+    def _chosen(self) -> str:
+        return self.format.itemData(self.format.currentIndex())
+
+    def ask_and_write(self, *_) -> list[Path]:
+        """Ask for a folder and write the files and statement.txt, all or none; returns their paths."""
+        folder = messages.ask_folder(translate("Sens", "Folder for the compensation tables"))
+        if not folder:
+            return []
+        try:
+            written = convert.convert(self.core, self._chosen(), folder)
+        except Refused as error:
+            messages.show(error.message)
+            return []
+        paths = [Path(folder) / name for name in (*written.files, "statement.txt")]
+        messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+        return paths
+
+    def getStandardButtons(self):
+        return buttons("Close")
+
+    def reject(self):
+        import FreeCADGui as Gui
+
+        Gui.Control.closeDialog()
+        return True
+
+
+def open_panel(machine) -> TaskTables:
+    """Open the panel for a machine with fitted errors."""
+    panel = TaskTables(machine)
+    show_panel(panel, machine.Document)
+    return panel
