@@ -25,12 +25,15 @@ class SensWorkbench(Gui.Workbench):
         self.appendMenu("Sens", commands.menu())
 
     def Activated(self):
-        from sensworkbench.gui import review
+        from sensworkbench.gui import first_steps, review
 
+        first_steps.show()
         review.workbench_activated()
 
     def Deactivated(self):
-        pass
+        from sensworkbench.gui import first_steps
+
+        first_steps.hide()
 
     def ContextMenu(self, recipient):
         from sensworkbench.gui import commands

@@ -71,6 +71,10 @@ class Command:
             from . import review
 
             review.make_room()
+        else:
+            from . import first_steps
+
+            first_steps.update()
 
     def run(self):
         raise NotImplementedError

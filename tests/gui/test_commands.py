@@ -53,6 +53,18 @@ def test_greyed_until_there_is_a_machine_and_a_result(doc, workbench):
     assert not any(active(n) for n in NEEDS_MACHINE | NEEDS_RESULT)
 
 
+def test_the_first_steps_are_offered_until_there_is_a_machine(doc, workbench):
+    from sensworkbench.gui import first_steps
+
+    box = first_steps.Begin()
+    assert box.shouldShow() and set(box.commands) <= {c.name for c in commands.COMMANDS}
+    assert first_steps._shown
+    run("Sens_ExampleXYFZ")
+    assert not box.shouldShow()
+    App.ActiveDocument.undo()
+    assert box.shouldShow()
+
+
 def test_with_a_machine(machine, machine_doc):
     assert all(active(n) for n in NEEDS_MACHINE)
     assert not any(active(n) for n in NEEDS_RESULT)
