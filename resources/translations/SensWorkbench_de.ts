@@ -134,6 +134,16 @@
       <translation>Vorher/nachher</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/first_steps.py" />
+      <source>Begin with Sens &gt; Example Machine, or Machine from Selection… on your own parts</source>
+      <translation>Mit Sens &gt; Beispielmaschine beginnen, oder mit „Maschine aus Auswahl…“ auf eigenen Teilen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/first_steps.py" />
+      <source>Begin with a machine</source>
+      <translation>Mit einer Maschine beginnen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>Abbrechen</translation>
@@ -197,6 +207,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Column</source>
       <translation>Spalte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Compensation tables of {name}</source>
+      <translation>Kompensationstabellen von {name}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -449,6 +464,11 @@
       <translation>Angesetzte Fehler werden angepasst</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Folder for the compensation tables</source>
+      <translation>Ordner für die Kompensationstabellen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>Ordner für den Bericht</translation>
@@ -457,6 +477,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Folder for the trace</source>
       <translation>Ordner für die Ursachensuche</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Format</source>
+      <translation>Format</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -527,6 +552,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>Wie es gezeigt wird</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>Import or draw the machine's parts first, or begin with Example Machine.</source>
+      <translation>Zuerst die Teile der Maschine importieren oder zeichnen, oder mit „Beispielmaschine“ beginnen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
@@ -1399,6 +1429,11 @@
       <translation>Ursachensuche zu {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Trace readings and add what was found first.</source>
+      <translation>Zuerst die Ursache der Messwerte suchen und das Gefundene hinzufügen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
       <source>Trace the readings first.</source>
       <translation>Zuerst die Ursache der Messwerte suchen.</translation>
@@ -1554,6 +1589,11 @@
       <translation>Was die Messwerte bedeuten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>What these files hold, and what they cannot:</source>
+      <translation>Was diese Dateien enthalten, und was sie nicht können:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>What to measure next</source>
       <translation>Was als Nächstes zu messen ist</translation>
@@ -1594,9 +1634,19 @@
       <translation>Arbeitsraum, regelmäßiges Gitter</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Write files…</source>
+      <translation>Dateien schreiben…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Writes HTML, JSON and CSV</source>
       <translation>Schreibt HTML, JSON und CSV</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Writes the tables and this statement into a folder</source>
+      <translation>Schreibt die Tabellen und diese Aufstellung in einen Ordner</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1792,6 +1842,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>ignoriert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>it has no fitted errors yet</source>
+      <translation>sie hat noch keine angepassten Abweichungen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -2002,6 +2057,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>the upper limit is below the lower limit</source>
       <translation>die obere Grenze liegt unter der unteren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>there are no parts in this document yet</source>
+      <translation>in diesem Dokument sind noch keine Teile</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
@@ -2444,6 +2504,19 @@
       <location filename="../../sensworkbench/gui/loop_commands.py" />
       <source>Switches the selected effect off, or on again</source>
       <translation>Schaltet den gewählten Effekt aus oder wieder ein</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Tables</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Export Compensation Tables…</source>
+      <translation>Kompensationstabellen exportieren…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Writes the fitted errors as tables of a controller, and states what they cannot hold</source>
+      <translation>Schreibt die angepassten Abweichungen als Tabellen einer Steuerung und sagt, was sie nicht enthalten können</translation>
     </message>
   </context>
   <context>

@@ -134,6 +134,16 @@
       <translation>전/후</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/first_steps.py" />
+      <source>Begin with Sens &gt; Example Machine, or Machine from Selection… on your own parts</source>
+      <translation>Sens &gt; 예제 기계로 시작하거나, 자신의 부품으로 “선택에서 기계 만들기…”를 사용하십시오</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/first_steps.py" />
+      <source>Begin with a machine</source>
+      <translation>기계로 시작하기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>취소</translation>
@@ -197,6 +207,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Column</source>
       <translation>열</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Compensation tables of {name}</source>
+      <translation>{name}의 보정 테이블</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -449,6 +464,11 @@
       <translation>선언된 오차를 피팅하는 중</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Folder for the compensation tables</source>
+      <translation>보정 테이블 폴더</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>보고서 폴더</translation>
@@ -457,6 +477,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Folder for the trace</source>
       <translation>추적 결과 폴더</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Format</source>
+      <translation>형식</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -527,6 +552,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>표시 방법</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>Import or draw the machine's parts first, or begin with Example Machine.</source>
+      <translation>먼저 기계 부품을 가져오거나 그리십시오. 또는 예제 기계로 시작하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
@@ -1399,6 +1429,11 @@
       <translation>{name} 추적</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Trace readings and add what was found first.</source>
+      <translation>먼저 측정값을 추적하고 찾은 효과를 추가하십시오.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
       <source>Trace the readings first.</source>
       <translation>먼저 측정값을 추적하십시오.</translation>
@@ -1554,6 +1589,11 @@
       <translation>측정값의 의미</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>What these files hold, and what they cannot:</source>
+      <translation>이 파일에 담기는 것과 담을 수 없는 것:</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>What to measure next</source>
       <translation>다음에 측정할 것</translation>
@@ -1594,9 +1634,19 @@
       <translation>작업 공간, 규칙 격자</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Write files…</source>
+      <translation>파일 쓰기…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Writes HTML, JSON and CSV</source>
       <translation>HTML, JSON, CSV를 씁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>Writes the tables and this statement into a folder</source>
+      <translation>테이블과 이 설명을 폴더에 씁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1792,6 +1842,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>무시</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_tables.py" />
+      <source>it has no fitted errors yet</source>
+      <translation>아직 맞춘 오차가 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -2002,6 +2057,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>the upper limit is below the lower limit</source>
       <translation>상한이 하한보다 작습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>there are no parts in this document yet</source>
+      <translation>이 문서에는 아직 부품이 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/loop_commands.py" />
@@ -2444,6 +2504,19 @@
       <location filename="../../sensworkbench/gui/loop_commands.py" />
       <source>Switches the selected effect off, or on again</source>
       <translation>선택한 효과를 끄거나 다시 켭니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Tables</name>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Export Compensation Tables…</source>
+      <translation>보정 테이블 내보내기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <source>Writes the fitted errors as tables of a controller, and states what they cannot hold</source>
+      <translation>맞춘 오차를 제어기 테이블로 쓰고, 담을 수 없는 것을 알려 줍니다</translation>
     </message>
   </context>
   <context>
