@@ -31,6 +31,45 @@ def angular(symbol: str) -> bool:
         return False
 
 
+# where the values of a row stand: all that may change from one result to the next
+PLACES = tuple(
+    [(column, role) for column in range(MEANING + 1) for role in (Qt.DisplayRole, Qt.ToolTipRole)]
+    + [(column, Qt.UserRole) for column in (RANK, FIRST, TOTAL, TOLERANCE)]
+    + [(TOTAL, BAR), (OWNER, Qt.UserRole + 2), (OWNER, Qt.DecorationRole)]
+)
+
+
+def _rows(machine, result) -> dict[str, list]:
+    """Symbol -> values of its row, in the order of PLACES; the largest index first."""
+    scale, shown = display.scale(result), display.values(result)
+    largest = max(result.Total, default=0.0)
+    owners = {o: (body_name(machine, o), tuple(scale.colour(shown.get(o)))) for o in dict.fromkeys(result.Owners)}
+    errors = sorted(
+        zip(result.Symbols, result.Owners, result.Lower, result.Upper, result.Units, result.Distributions,
+            result.First, result.Total),
+        key=lambda r: -round(r[7], 12),
+    )  # fmt: skip
+    rows = {}
+    for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(errors, start=1):
+        name, colour = owners[owner]
+        tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
+        texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, name, error_meaning(symbol))
+        tips = [*texts]
+        tips[TOLERANCE] += f", {distribution_name(law)}"
+        values = [value for pair in zip(texts, tips) for value in pair]
+        values += [float(rank), float(first), float(total), float(high - low)]
+        rows[symbol] = [*values, (first, total, largest, colour), owner, colour]
+    return rows
+
+
+def _write(item, column: int, role, value) -> None:
+    if role == Qt.DecorationRole:
+        swatch = QtGui.QPixmap(12, 12)
+        swatch.fill(qcolour(value))
+        value = QtGui.QIcon(swatch)
+    item.setData(column, role, value)
+
+
 class Ranking(QtGui.QWidget):
     """`chosen` is emitted with the bodies of the chosen rows, when the user chooses them."""
 
@@ -67,17 +106,17 @@ class Ranking(QtGui.QWidget):
         layout.addWidget(self.table)
         self._quiet = False
         self._sized = False
+        self._items, self._rows = {}, {}  # symbol -> the row in the table, and what is written in its PLACES
 
     def show_result(self, machine, result) -> None:
-        kept = {i.text(ERROR) for i in self.table.selectedItems()}
+        """Show the errors of a result, or none.  What differs is written into the rows that are there."""
+        rows = _rows(machine, result) if result is not None else {}
         self._quiet = True
-        self.table.setSortingEnabled(False)
-        self.table.clear()
-        if result is not None:
-            self._fill(machine, result)
-        self.table.setSortingEnabled(True)
-        for item in self.items():
-            item.setSelected(item.text(ERROR) in kept)
+        if rows.keys() != self._rows.keys():
+            self._make_rows(rows)
+        else:
+            self._update_rows(rows)
+        self._rows = rows
         self._quiet = False
         if result is not None and not self._sized:
             self._sized = True
@@ -86,31 +125,44 @@ class Ranking(QtGui.QWidget):
             self.table.setColumnWidth(TOTAL, 112)
             self.table.setColumnWidth(OWNER, min(110, self.table.columnWidth(OWNER)))
 
-    def _fill(self, machine, result):
-        scale, shown = display.scale(result), display.values(result)
-        largest = max(result.Total, default=0.0)
-        rows = sorted(
-            zip(result.Symbols, result.Owners, result.Lower, result.Upper, result.Units, result.Distributions,
-                result.First, result.Total),
-            key=lambda r: -round(r[7], 12),
-        )  # fmt: skip
-        for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(rows, start=1):
-            item = _Item(self.table)
-            tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
-            texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, body_name(machine, owner), error_meaning(symbol))
-            for column, text in enumerate(texts):
-                item.setText(column, text)
-                item.setToolTip(column, text if column != TOLERANCE else f"{text}, {distribution_name(law)}")
-            for column, value in ((RANK, rank), (FIRST, first), (TOTAL, total), (TOLERANCE, high - low)):
-                item.setData(column, Qt.UserRole, float(value))
-            item.setTextAlignment(FIRST, Qt.AlignRight | Qt.AlignVCenter)
-            item.setTextAlignment(RANK, Qt.AlignRight | Qt.AlignVCenter)
-            item.setTextAlignment(TOLERANCE, Qt.AlignRight | Qt.AlignVCenter)
-            item.setData(TOTAL, BAR, (first, total, largest, scale.colour(shown.get(owner))))
-            item.setData(OWNER, Qt.UserRole + 2, owner)
-            swatch = QtGui.QPixmap(12, 12)
-            swatch.fill(qcolour(scale.colour(shown.get(owner))))
-            item.setIcon(OWNER, QtGui.QIcon(swatch))
+    def forget(self) -> None:
+        """Take all rows away, and with them what was chosen."""
+        self._quiet = True
+        self._make_rows({})
+        self._rows = {}
+        self._quiet = False
+
+    def _make_rows(self, rows) -> None:
+        kept = {i.text(ERROR) for i in self.table.selectedItems()}
+        self.table.setSortingEnabled(False)
+        self.table.clear()
+        self._items = {symbol: _Item(self.table) for symbol in rows}
+        for symbol, item in self._items.items():
+            for column in (FIRST, RANK, TOLERANCE):
+                item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
+            for place, value in zip(PLACES, rows[symbol]):
+                _write(item, *place, value)
+        self.table.setSortingEnabled(True)
+        for symbol, item in self._items.items():
+            item.setSelected(symbol in kept)
+
+    def _update_rows(self, rows) -> None:
+        written = set()
+        model = self.table.model()
+        model.blockSignals(True)  # the columns are sorted and painted once, not after each cell
+        try:
+            for symbol, row in rows.items():
+                for place, value, shown in zip(PLACES, row, self._rows[symbol]):
+                    if value != shown:
+                        _write(self._items[symbol], *place, value)
+                        written.add(place[0])
+        finally:
+            model.blockSignals(False)
+        if self.table.sortColumn() in written:
+            self.table.sortByColumn(self.table.sortColumn(), self.table.header().sortIndicatorOrder())
+        view, header = self.table.viewport(), self.table.header()
+        for column in written:
+            view.update(header.sectionViewportPosition(column), 0, header.sectionSize(column), view.height())
 
     def items(self):
         return [self.table.topLevelItem(i) for i in range(self.table.topLevelItemCount())]

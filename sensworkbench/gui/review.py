@@ -210,7 +210,7 @@ class Review(QtGui.QDockWidget):
         key = (machine.Document.Name, machine.Name)
         if key != self.key:
             self.key = key
-            self.ranking.table.clear()  # what was chosen belonged to another machine
+            self.ranking.forget()  # what was chosen belonged to another machine
         self.refresh()
 
     def soon(self):
