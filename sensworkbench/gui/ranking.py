@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from ..core.errors import component
 from ..core.refusal import Refused
 from . import display
@@ -39,8 +41,11 @@ PLACES = tuple(
 )
 
 
-def _rows(machine, result) -> dict[str, list]:
-    """Symbol -> values of its row, in the order of PLACES; the largest index first."""
+def _rows(machine, result) -> dict[tuple[str, int], list]:
+    """(symbol, how often it stood above) -> values of its row, in the order of PLACES; the largest index first.
+
+    Only traced effects can share a name.
+    """
     scale, shown = display.scale(result), display.values(result)
     largest = max(result.Total, default=0.0)
     owners = {o: (body_name(machine, o), tuple(scale.colour(shown.get(o)))) for o in dict.fromkeys(result.Owners)}
@@ -49,7 +54,7 @@ def _rows(machine, result) -> dict[str, list]:
             result.First, result.Total),
         key=lambda r: -round(r[7], 12),
     )  # fmt: skip
-    rows = {}
+    rows, seen = {}, Counter()
     for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(errors, start=1):
         name, colour = owners[owner]
         tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
@@ -58,7 +63,8 @@ def _rows(machine, result) -> dict[str, list]:
         tips[TOLERANCE] += f", {distribution_name(law)}"
         values = [value for pair in zip(texts, tips) for value in pair]
         values += [float(rank), float(first), float(total), float(high - low)]
-        rows[symbol] = [*values, (first, total, largest, colour), owner, colour]
+        rows[symbol, seen[symbol]] = [*values, (first, total, largest, colour), owner, colour]
+        seen[symbol] += 1
     return rows
 
 
@@ -106,7 +112,7 @@ class Ranking(QtGui.QWidget):
         layout.addWidget(self.table)
         self._quiet = False
         self._sized = False
-        self._items, self._rows = {}, {}  # symbol -> the row in the table, and what is written in its PLACES
+        self._items, self._rows = {}, {}  # key of `_rows` -> the row in the table; what is written in its PLACES
 
     def show_result(self, machine, result) -> None:
         """Show the errors of a result, or none.  What differs is written into the rows that are there."""
@@ -136,25 +142,25 @@ class Ranking(QtGui.QWidget):
         kept = {i.text(ERROR) for i in self.table.selectedItems()}
         self.table.setSortingEnabled(False)
         self.table.clear()
-        self._items = {symbol: _Item(self.table) for symbol in rows}
-        for symbol, item in self._items.items():
+        self._items = {key: _Item(self.table) for key in rows}
+        for key, item in self._items.items():
             for column in (FIRST, RANK, TOLERANCE):
                 item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
-            for place, value in zip(PLACES, rows[symbol]):
+            for place, value in zip(PLACES, rows[key]):
                 _write(item, *place, value)
         self.table.setSortingEnabled(True)
-        for symbol, item in self._items.items():
-            item.setSelected(symbol in kept)
+        for item in self._items.values():
+            item.setSelected(item.text(ERROR) in kept)
 
     def _update_rows(self, rows) -> None:
         written = set()
         model = self.table.model()
         model.blockSignals(True)  # the columns are sorted and painted once, not after each cell
         try:
-            for symbol, row in rows.items():
-                for place, value, shown in zip(PLACES, row, self._rows[symbol]):
+            for key, row in rows.items():
+                for place, value, shown in zip(PLACES, row, self._rows[key]):
                     if value != shown:
-                        _write(self._items[symbol], *place, value)
+                        _write(self._items[key], *place, value)
                         written.add(place[0])
         finally:
             model.blockSignals(False)

@@ -86,3 +86,15 @@ def test_rows_come_and_go_with_their_errors(machine, shown):
     assert shown.items() == []
     shown.show_result(machine, factory.sensitivity_of(machine))
     assert len(shown.items()) == 24
+
+
+def test_errors_of_one_name_have_a_row_each(machine, shown):
+    class Twins:
+        Symbols = ["effect"] * 24
+
+        def __getattr__(self, name):
+            return getattr(factory.sensitivity_of(machine), name)
+
+    shown.show_result(machine, Twins())
+    assert [i.text(ranking.RANK) for i in shown.items()] == [str(k + 1) for k in range(24)]
+    assert {i.text(ranking.ERROR) for i in shown.items()} == {"effect"}
