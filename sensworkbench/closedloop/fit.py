@@ -17,6 +17,7 @@ from .readings import Readings
 
 RANK_TOLERANCE = 1e-6
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
+CROWD = 0.1  # share of the points: more than that are no gross outliers
 MAD = 1.482602218505602
 
 
@@ -121,53 +122,66 @@ def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.
     return sigma, table
 
 
-def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start: Fit | None = None) -> Fit:
-    """Robust weighted least squares of the declared design and `effects` (R, m) appended columns.
+def _crowded(outliers, readings: Readings) -> bool:
+    """Are these too many, or too close in order, for gross outliers?  Then they are structure, which must stay."""
+    bad = np.bincount(readings.point, weights=outliers, minlength=readings.points) > 0
+    share = float(bad.mean())
+    together = float((bad[1:] & bad[:-1]).sum()) / max(float(bad[:-1].sum()), 1.0)
+    return share > CROWD or (share > 0.01 and together > max(0.3, 3 * share))
 
-    start : an earlier fit whose noise starts the iteration.  Outliers are decided afresh each time, so a row that an
-    effect explains is admitted again.
-    """
-    matrix = design.matrix if effects is None else np.concatenate([design.matrix, effects], axis=1)
-    y = readings.value
-    stated = readings.u if np.isfinite(readings.u).any() else None
-    count, n = matrix.shape
-    weight = np.ones(count) if start is None else np.where(start.sigma > 0, 1 / start.sigma, 0.0)
-    if start is None and stated is not None and np.isfinite(stated).all():
-        weight = 1 / np.maximum(stated, 1e-9)
-    sigma = 1 / np.maximum(weight, 1e-12)
+
+def _robust_start(matrix, y, weight, stated, readings: Readings):
+    """(sigma, good) after three steps of Tukey's biweight, whose scale is the median of each kind of sensing."""
+    count = len(y)
     robust = np.ones(count)
-    good = np.ones(count, dtype=bool)
-    noise: dict = {}
-    for step in range(12):
+    for _ in range(3):
+        residual, _, rank = _quick(matrix, weight * np.sqrt(robust), y)
+        loss = np.sqrt(count / max(count - rank, 1))
+        known = np.ones(count) if stated is None else np.where(np.isfinite(stated), stated, 1)
+        sigma = np.empty(count)
+        for kind in np.unique(readings.kind):
+            rows = readings.kind == kind
+            sigma[rows] = max(robust_scale(residual[rows] / known[rows]) * loss, 1e-9) * known[rows]
+        z = residual / sigma
+        robust = np.where(np.abs(z) < 6.0, (1 - (z / 6.0) ** 2) ** 2, 0.0)
+        weight = 1 / sigma
+    return sigma, robust
+
+
+def _weigh(matrix, y, weight, robust, stated, readings: Readings):
+    """(sigma, noise, good): noise from the mean square of the rows that are kept, until these no longer change."""
+    good, noise = robust > 0, {}
+    for step in range(9):
         residual, leverage, rank = _quick(matrix, weight * np.sqrt(robust), y)
-        # noise from the bulk; the median guards the first steps, the mean square of the kept rows the last
-        previous = good
-        if step < 3:
-            spread = np.empty(count)
-            for kind in np.unique(readings.kind):
-                rows = readings.kind == kind
-                ratio = (
-                    residual[rows]
-                    if stated is None
-                    else residual[rows] / np.where(np.isfinite(stated[rows]), stated[rows], 1)
-                )
-                loss = np.sqrt(count / max(count - rank, 1))
-                scale = max(robust_scale(ratio) * loss, 1e-9)
-                spread[rows] = scale if stated is None else scale * np.where(np.isfinite(stated[rows]), stated[rows], 1)
-            sigma = spread
-            z = residual / sigma
-            robust = np.where(np.abs(z) < 6.0, (1 - (z / 6.0) ** 2) ** 2, 0.0)
-            good = robust > 0
-            weight = 1 / sigma
-            continue
-        kept = good.sum()
+        kept, previous = good.sum(), good
         sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - rank, 1)), stated)
         z = residual / (sigma * np.sqrt(np.clip(1 - leverage * good, 0.05, 1)))
         good = np.abs(z) < OUTLIER_LIMIT
         robust = good.astype(float)
         weight = 1 / sigma
-        if step > 3 and np.array_equal(good, previous):
+        if step > 0 and np.array_equal(good, previous):
             break
+    return sigma, noise, good
+
+
+def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start: Fit | None = None) -> Fit:
+    """Robust weighted least squares of the declared design and `effects` (R, m) appended columns.
+
+    start : an earlier fit whose noise starts the iteration.  Outliers are decided afresh each time, so a row that an
+    effect explains is admitted again; where they crowd, they are structure, and the fit is plain least squares.
+    """
+    matrix = design.matrix if effects is None else np.concatenate([design.matrix, effects], axis=1)
+    y = readings.value
+    stated = readings.u if np.isfinite(readings.u).any() else None
+    count, n = matrix.shape
+    first = np.ones(count) if start is None else np.where(start.sigma > 0, 1 / start.sigma, 0.0)
+    if start is None and stated is not None and np.isfinite(stated).all():
+        first = 1 / np.maximum(stated, 1e-9)
+    sigma, robust = _robust_start(matrix, y, first, stated, readings)
+    sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings)
+    if _crowded(~good, readings):
+        sigma, noise, good = _weigh(matrix, y, first, np.ones(count), stated, readings)
+    weight = 1 / sigma
     w = weight * good
     b = basis(matrix, w)
     theta = (b.v / b.s) @ (b.q.T @ (y * w)) / b.scale

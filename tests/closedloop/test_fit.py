@@ -124,6 +124,17 @@ def test_rows_that_an_effect_explains_are_admitted_again():
     assert after.extra == 1
 
 
+def test_what_crowds_is_structure_and_stays():
+    machine, readings = noisy(400)
+    shift = np.where((readings.point < 80) & (readings.kind == 0), 10 * NOISE, 0.0)  # the first fifth stood elsewhere
+    found = fit(design(machine, readings), replace(readings, value=readings.value + shift))
+    assert not found.outliers.any()
+    both_, rows = spoiled(replace(readings, value=readings.value + shift), 3, 0.004)
+    rows &= np.abs(both_.value - readings.value - shift) > 30 * NOISE  # the grossest still show
+    found = fit(design(machine, both_), both_)
+    assert rows.sum() >= 2 and found.outliers[rows].all() and found.outliers.sum() < 10
+
+
 def test_outliers_stay_out_when_an_effect_joins_that_does_not_explain_them():
     machine, readings = noisy(300, 6, columns=session(300, 6))
     bad, rows = spoiled(readings, 6)
