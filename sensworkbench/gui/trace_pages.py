@@ -14,8 +14,9 @@ from ..core.errors import COMPONENTS, component
 from ..formats import trace_report
 from ..formats.trace_report import driver_words, parameter_words, um, unit_words
 from . import plots
+from .finding_words import effect_name, said
 from .qt import Qt, QtCore, QtGui, translate
-from .texts import body_name
+from .texts import body_name, error_meaning
 
 PAGES = ("Result", "Findings", "BeforeAfter", "Next", "Fit")
 _COLOURS = {
@@ -168,7 +169,7 @@ def result_page(report, machine=None):
             f"</p>{paragraph(words)}"
         ]
         for e in report["effects"]:
-            parts.append(heading(e["name"]))
+            parts.append(heading(effect_name(e)))
             parts.append(paragraph(_finding_sentence(e, machine)))
         rows = [
             (stage(s), *(um(report["error"][s]["held_out"][k]) for k in ("rms_um", "p95_um", "max_um")))
@@ -179,13 +180,13 @@ def result_page(report, machine=None):
         parts.append(table(head, rows))
         parts.append(heading(translate("Sens", "What is left")))
         rest, noise = report.get("remainder", {}), report["noise"]
-        said = rest.get("words", "")
+        left = said(rest.get("words", ""))
         line = translate("Sens", "Noise of one reading {noise} µm").format(noise=um(noise["residual_um"]))
         if noise["stated_um"] is not None:
             line += translate("Sens", ", stated {stated} µm").format(stated=um(noise["stated_um"]))
         if noise["pure_error_um"] is not None:
             line += translate("Sens", ", from repeats {pure} µm").format(pure=um(noise["pure_error_um"]))
-        parts.append(paragraph(f"{said[:1].upper()}{said[1:]}. {line}." if said else f"{line}."))
+        parts.append(paragraph(f"{left[:1].upper()}{left[1:]}. {line}." if left else f"{line}."))
         if report["depends_on"]:
             listed = ", ".join(f"{d['column']} (p = {d['p']:.2g})" for d in report["depends_on"])
             parts.append(
@@ -220,7 +221,7 @@ def findings_page(report, outcome=None):
         if not report["effects"]:
             parts.append(paragraph(translate("Sens", "No effect is named.")))
         for number, e in enumerate(report["effects"], start=1):
-            what = COMPONENTS[e["component"]].description if e["component"] in COMPONENTS else e["component"]
+            what = error_meaning(e["component"])
             pairs = [
                 (translate("Sens", "Component"), f"{e['component']}, {what}"),
                 (translate("Sens", "Driver"), driver_words(e["driver"])),
@@ -233,8 +234,8 @@ def findings_page(report, outcome=None):
             if e.get("usual_size"):
                 pairs.append((translate("Sens", "Usual size"), unit_words(e["usual_size"])))
             if e.get("check"):
-                pairs.append((translate("Sens", "Check on the machine"), e["check"]))
-            parts += [heading(f"{number}. {e['name']}"), facts(pairs)]
+                pairs.append((translate("Sens", "Check on the machine"), said(e["check"])))
+            parts += [heading(f"{number}. {effect_name(e)}"), facts(pairs)]
             if e.get("note"):
                 parts.append(paragraph(e["note"]))
             parts.append(_driver_chart(page, e, outcome))
@@ -368,10 +369,10 @@ def next_page(report):
         if report["not_testable"]:
             parts.append(heading(translate("Sens", "Not testable: a column is missing")))
             head = [translate("Sens", "Effect"), translate("Sens", "Needs")]
-            parts.append(table(head, [(t["effect"], t["needs"]) for t in report["not_testable"]]))
+            parts.append(table(head, [(said(t["effect"]), t["needs"]) for t in report["not_testable"]]))
         if report["not_identifiable"]:
             parts.append(heading(translate("Sens", "Hidden by the declared errors in this plan")))
-            parts.append(bullets(report["not_identifiable"]))
+            parts.append(bullets(said(s) for s in report["not_identifiable"]))
         return "".join(parts)
 
     return fill
@@ -401,7 +402,8 @@ def fit_page(fit):
         ]
         parts = [heading(translate("Sens", "Fit of the declared errors alone")), facts(pairs)]
         if fit["null_space"]:
-            parts += [heading(translate("Sens", "Not told apart by this plan")), bullets(fit["null_space"])]
+            parts.append(heading(translate("Sens", "Not told apart by this plan")))
+            parts.append(bullets(said(s) for s in fit["null_space"]))
         if fit["outliers"]:
             rows = [(o["line"] or "–", *(f"{v:.3f}" for v in o["position_mm"])) for o in fit["outliers"][:30]]
             parts.append(heading(translate("Sens", "Gross outliers, left out")))

@@ -58,3 +58,25 @@ def test_an_idle_window_does_nothing(machine, monkeypatch):
     monkeypatch.setattr(adopt, "adopt", lambda doc: calls.append("adopt"))
     pump(300)
     assert calls == []
+
+
+def test_what_the_trace_says_is_known_in_the_language_of_the_window(workbench):
+    from sensworkbench.closedloop.catalogue import CATALOGUE, describe
+    from sensworkbench.gui import finding_words
+
+    for entry in CATALOGUE.values():
+        assert entry.name in finding_words.SAID and entry.check in finding_words.SAID
+    sentence = "EAZ (order 1), A0Z and EZZ (order 1) cannot be told apart"
+    found = {"name": describe("EAZ", "temp_column", "linear"), "component": "EAZ", "driver": "temp_column"}
+    assert finding_words.said(sentence) == sentence and finding_words.effect_name(found) == found["name"]
+    Gui.setLocale("German")
+    try:
+        assert finding_words.said(sentence) == "EAZ (order 1), A0Z and EZZ (order 1) sind nicht zu unterscheiden"
+        assert finding_words.said("nothing beyond noise; short waves along the axes (roughness), not named") == (
+            "nichts über das Rauschen hinaus; kurze Wellen entlang der Achsen (Rauheit), nicht benannt"
+        )
+        title = finding_words.effect_name(found)
+        assert title == "thermische Biegung der Struktur: Kippen von Z um X, getrieben von temp_column"
+        assert finding_words.said("a sentence that nobody knows") == "a sentence that nobody knows"
+    finally:
+        Gui.setLocale("English")
