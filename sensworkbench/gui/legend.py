@@ -8,6 +8,7 @@ saved images.  It has no extent of its own: fitting the view and picking ignore 
 from __future__ import annotations
 
 import functools
+import textwrap
 from dataclasses import dataclass, field, replace
 
 import FreeCAD as App
@@ -36,6 +37,11 @@ class LegendText:
     short: str = ""
     note: str = ""
 
+    def narrow(self) -> LegendText:
+        """The same with its title in two lines, and below it only what must not be left out."""
+        title = "\n".join(textwrap.wrap(self.title, len(self.title) // 2 + 4))
+        return replace(self, title=title, subtitle=self.note)
+
     def compact(self) -> LegendText:
         """The same in few words: symbol, bar and the first letters of the components."""
         marks = tuple((name if len(name) <= 9 else name[:8] + "…", value) for name, value in self.marks)
@@ -53,7 +59,7 @@ def paint(text: LegendText, scale: Scale, size: float = 1.0):
     """The legend as a QImage; size 1 is for a view about 760 pixels high."""
     big, small = font(14 * size, bold=True), font(12 * size)
     line = QtGui.QFontMetrics(small).height()
-    head = [(big, text.title)] + [(small, t) for t in text.subtitle.split("\n") if t]
+    head = [(big, t) for t in text.title.split("\n")] + [(small, t) for t in text.subtitle.split("\n") if t]
     bar_height, bar_width, pad = 190 * size, 22 * size, 10 * size
     ticks = scale.ticks(5)
     unit = f" {text.unit}" if text.unit else ""
@@ -206,8 +212,9 @@ class Legend:
         fit = min(width / REFERENCE_WIDTH, height / REFERENCE_HEIGHT)
         self._size = min(max(round(fit * 8) / 8, SMALLEST), 6.0)
         image = self.paint(text, scale, self._size)
-        if image.width() > width / 3:
-            image = self.paint(text.compact(), scale, self._size)
+        for smaller in (getattr(text, "narrow", text.compact), text.compact):
+            if image.width() > width / 3:
+                image = self.paint(smaller(), scale, self._size)
         if image.width() > width / 3:
             image = self.paint(replace(text.compact(), marks=()), scale, self._size)
         set_image(self._image, image)

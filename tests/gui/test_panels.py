@@ -642,3 +642,23 @@ def test_a_panel_is_wide_enough_for_its_buttons(machine, machine_doc):
     cancel = box.button(QtGui.QDialogButtonBox.Cancel)
     assert cancel.visibleRegion().boundingRect().width() == cancel.width()
     click("Cancel")
+
+
+def test_the_legend_of_a_narrow_view_keeps_its_title(workbench):
+    from dataclasses import replace
+
+    from sensworkbench.gui.legend import Legend, LegendText, paint
+
+    text = LegendText("Total index Sᵀ of the component", "", "squareness tilts the direction of motion (ISO 230-1)",
+                      "no index", (("Axis X", 0.47), ("Spindle and tool", 0.02)), "Sᵀ")  # fmt: skip
+    assert text.narrow().title.split() == text.title.split()
+    forms = (text, text.narrow(), text.compact(), replace(text.compact(), marks=()))
+    scale, legend, found = colormap.automatic([0.47, 0.02], "viridis"), Legend(), []
+    legend.show(text, scale)
+    for width in range(1400, 150, -25):
+        legend._pixels = (width, 620)
+        legend._repaint()
+        sizes = [(image.width(), image.height()) for image in (paint(f, scale, legend._size) for f in forms)]
+        found.append(sizes.index(legend.covers))
+    assert found == sorted(found)  # the narrower the view, the fewer words
+    assert {0, 1} <= set(found)
