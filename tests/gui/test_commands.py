@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import time
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -93,15 +94,18 @@ def run_reject():
 
 
 def click(text: str) -> None:
+    """Click a button of a panel or message; on a busy machine a panel takes a while to appear."""
     from sensworkbench.gui.qt import QtGui, main_window
 
-    pump(60)
-    for box in main_window().findChildren(QtGui.QDialogButtonBox):
-        button = box.button(getattr(QtGui.QDialogButtonBox, text))
-        if button is not None and button.isVisible():
-            button.click()
-            pump(80)
-            return
+    end = time.monotonic() + 10
+    while time.monotonic() < end:
+        pump(60)
+        for box in main_window().findChildren(QtGui.QDialogButtonBox):
+            button = box.button(getattr(QtGui.QDialogButtonBox, text))
+            if button is not None and button.isVisible():
+                button.click()
+                pump(80)
+                return
     raise AssertionError(f"no visible {text} button")
 
 
