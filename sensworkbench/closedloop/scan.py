@@ -40,7 +40,9 @@ class Rows:
         return turned * np.sqrt(used / max(used - self.q.shape[1], 1))
 
     def thinned(self, points) -> Rows:
-        """The rows of some points (sorted indices) alone, with their own orthonormal basis."""
+        """The rows of some points (sorted indices) alone, with a basis and residuals of their own: those of all rows
+        are orthogonal to the model over all rows only, and what is nearly hidden would enlarge the rest.
+        """
         size = np.diff(np.r_[self.start, len(self.residual)])
         keep = np.zeros(len(self.start), dtype=bool)
         keep[points] = True
@@ -48,7 +50,8 @@ class Rows:
         q, r = np.linalg.qr(self.q[mask])
         solid = np.abs(np.diag(r)) > 1e-9
         start = np.r_[0, np.cumsum(size[keep])[:-1]]
-        return Rows(self.lever[mask], self.residual[mask], start, q[:, solid])
+        q, residual = q[:, solid], self.residual[mask]
+        return Rows(self.lever[mask], residual - q @ (q.T @ residual), start, q)
 
     def per_point(self, component: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """(basis (P, m), squares (P,), residual (P,)) of one component, summed over each point's rows; kept."""

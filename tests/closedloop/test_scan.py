@@ -256,3 +256,23 @@ def test_the_shift_of_a_candidate_between_bodies_does_not_change_its_gain(scanne
     gains = [exact_gain(rows, ALL_SYMBOLS.index(s), vectors)[0] for s in ("EXX", "EXY", "EXZ", "EXT", "EXW")]
     assert gains == pytest.approx([gains[0]] * 5, rel=1e-9)
     assert replace(rows).per_point(0)[2].shape == (tracer.readings.points,)
+
+
+def test_some_of_the_points_alone_are_a_model_of_their_own(scanned):
+    _, _, rows, _ = scanned
+    some = rows.thinned(np.arange(0, len(rows.start), 3))
+    assert len(some.start) == len(range(0, len(rows.start), 3)) and some.q.shape[1] <= rows.q.shape[1]
+    assert some.q.T @ some.q == pytest.approx(np.eye(some.q.shape[1]), abs=1e-12)
+    assert np.abs(some.q.T @ some.residual).max() < 1e-9 * np.linalg.norm(some.residual)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_nothing_is_left_of_noise_where_a_scan_looks_at_some_points_only(monkeypatch, seed):
+    monkeypatch.setattr("sensworkbench.closedloop.tracer.MOST_SCANNED", 100)
+    simulated, machine = both("XYFZ", (10, -20, 400))
+    columns = session(900, seed)
+    bend = {"EAZ": 5e-6 * columns["temp_column"]}
+    readings = measured(simulated, scattered(900, seed), bend, columns, NOISE, seed=seed)
+    tracer = Tracer(machine, readings, seed=seed)
+    found = Candidate("EAZ", Shape("temp_column", "linear", {}), 0.0, np.zeros(1), 1.0, 0.0)
+    assert tracer.thin is not None and tracer.remainder([found]).p > 0.01
