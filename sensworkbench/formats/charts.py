@@ -239,7 +239,7 @@ def histogram(series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int
             ax.hist(v, edges, histtype="stepfilled", color=SERIES[i % 6], alpha=0.25, linewidth=0)
             ax.hist(v, edges, histtype="step", color=SERIES[i % 6], linewidth=1.5, label=_cut([name])[0])
         ax.set_xlabel(xlabel)
-        ax.set_ylabel("readings")
+        ax.set_ylabel("points")
         _grid(ax, "y")
         ax.legend(**_ABOVE)
     return drawing.svg

@@ -89,7 +89,7 @@ def _summary(data, title, words) -> Html:
     named = [e for e in data["effects"] if e["driver"] != "unlogged"]
     lead = words
     if named:
-        listed = "; ".join(f"{e['component']} driven by {driver_words(e['driver'])} ({e['name']})" for e in named)
+        listed = "; ".join(f"{e['name']} ({e['component']})" for e in named)
         lead = f"{words} Found: {listed}."
     return html.join([html.paragraph(lead, lead=True), html.tiles(tiles)])
 
@@ -132,7 +132,7 @@ def _findings(data, outcome) -> Html:
             ("Component", f"{e['component']}, {what}"),
             ("Driver", driver_words(e["driver"])),
             ("Shape", e["shape"]),
-            *((k, parameter_words(v)) for k, v in e["parameters"].items()),
+            *((k.capitalize(), parameter_words(v)) for k, v in e["parameters"].items()),
             ("Amplitude", f"{um(e['amplitude_um'])} µm (3-D rms over the readings)"),
             ("Family-wise p", p_words(e["p_familywise"], data)),
             ("Found again in half-samples", f"{e['selection_frequency']:.0%}"),
@@ -242,7 +242,7 @@ def _before_and_after(data, outcome) -> Html:
     ]
     parts = [html.table(columns, rows, "3-D error of the points, µm; the last three: per direction of sensing")]
     if error.get("note"):
-        parts.append(html.paragraph(error["note"], soft=True))
+        parts.append(html.paragraph(error["note"][:1].upper() + error["note"][1:] + ".", soft=True))
     if outcome is not None and charts.available():
         before, after = point_vectors(outcome, "declared_held_out"), point_vectors(outcome, "augmented_held_out")
         sizes = {

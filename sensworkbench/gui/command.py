@@ -42,7 +42,7 @@ def busy() -> bool:
 
 
 class Command:
-    """Base: texts and icon from class attributes, active with a machine and no open panel, refusals shown."""
+    """Base: texts and icon from class attributes, active when ready and no panel is open, refusals shown."""
 
     name, menu_text, tip, icon, keys = "", "", "", "", ""
     needs_machine = True
@@ -57,7 +57,11 @@ class Command:
         return found
 
     def IsActive(self):
-        return not busy() and (bool(machines()) if self.needs_machine else True)
+        return not busy() and self.ready()
+
+    def ready(self) -> bool:
+        """Could the command work in the active document?  Asked often, so it must be cheap."""
+        return not self.needs_machine or bool(machines())
 
     def Activated(self, index=0):
         if busy():

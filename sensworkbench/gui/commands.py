@@ -26,8 +26,8 @@ class NewMachine(Command):
     )
     needs_machine = False
 
-    def IsActive(self):
-        return App.ActiveDocument is not None and not busy()
+    def ready(self):
+        return App.ActiveDocument is not None
 
     def run(self):
         from .task_machine import new_machine
@@ -41,10 +41,10 @@ class MachineFromAssembly(Command):
     tip = QT_TRANSLATE_NOOP("Sens_MachineFromAssembly", "Makes a machine from an assembly: its sliders are the axes")
     needs_machine = False
 
-    def IsActive(self):
+    def ready(self):
         from .task_assembly import found
 
-        return not busy() and bool(found(App.ActiveDocument))
+        return bool(found(App.ActiveDocument))
 
     def run(self):
         from .task_assembly import open_panel
@@ -73,10 +73,10 @@ class Repair(Command):
     )
     needs_machine = False
 
-    def IsActive(self):
+    def ready(self):
         from ..document.repair import present
 
-        return not busy() and present(App.ActiveDocument)
+        return present(App.ActiveDocument)
 
     def run(self):
         from .task_repair import open_panel

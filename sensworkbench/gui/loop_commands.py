@@ -9,7 +9,7 @@ from ..core.refusal import Refused
 from ..document import closed_loop, factory
 from ..document.base import kind_of
 from . import messages
-from .command import QT_TRANSLATE_NOOP, Command, busy, current_machine, machines
+from .command import QT_TRANSLATE_NOOP, Command, current_machine, machines
 from .qt import translate
 
 
@@ -84,8 +84,8 @@ class Fit(Command):
     )
     start = False
 
-    def IsActive(self):
-        return not busy() and bool(tables())
+    def ready(self):
+        return bool(tables())
 
     def run(self):
         from .task_trace import open_panel
@@ -105,8 +105,8 @@ class AddEffect(Command):
     menu_text = QT_TRANSLATE_NOOP("Sens_AddEffect", "Add Effects")
     tip = QT_TRANSLATE_NOOP("Sens_AddEffect", "Adds the found effects to the machine, each under its body")
 
-    def IsActive(self):
-        return not busy() and any(closed_loop.can_add(t) for t in traces())
+    def ready(self):
+        return any(closed_loop.can_add(t) for t in traces())
 
     def run(self):
         from .task_trace import add_effects
@@ -119,8 +119,8 @@ class SwitchEffect(Command):
     menu_text = QT_TRANSLATE_NOOP("Sens_SwitchEffect", "Effect On or Off")
     tip = QT_TRANSLATE_NOOP("Sens_SwitchEffect", "Switches the selected effect off, or on again")
 
-    def IsActive(self):
-        return not busy() and bool(machines()) and selected("Effect") is not None
+    def ready(self):
+        return bool(machines()) and selected("Effect") is not None
 
     def run(self):
         effect = selected("Effect")
@@ -142,8 +142,8 @@ class Residuals(Command):
         "Sens_Residuals", "Shows the residuals before and after as arrows in the workspace, or hides them"
     )
 
-    def IsActive(self):
-        return not busy() and bool(traces())
+    def ready(self):
+        return bool(traces())
 
     def run(self):
         from . import residuals
@@ -159,8 +159,8 @@ class TraceReport(Command):
     menu_text = QT_TRANSLATE_NOOP("Sens_TraceReport", "Export Trace Report…")
     tip = QT_TRANSLATE_NOOP("Sens_TraceReport", "Writes what was found as HTML and JSON, with the augmented machine")
 
-    def IsActive(self):
-        return not busy() and any(t.Readings is not None for t in traces())
+    def ready(self):
+        return any(t.Readings is not None for t in traces())
 
     def run(self):
         from .task_trace import ask_and_write
@@ -175,8 +175,8 @@ class Tables(Command):
         "Sens_Tables", "Writes the fitted errors as tables of a controller, and states what they cannot hold"
     )
 
-    def IsActive(self):
-        return not busy() and any(m.Fitted for m in machines())
+    def ready(self):
+        return any(m.Fitted for m in machines())
 
     def run(self):
         from .task_tables import open_panel
