@@ -46,22 +46,20 @@ class Tolerance:
         values = [self.lower, self.upper] + ([] if self.sigma is None else [self.sigma])
         for value in values:
             if isinstance(value, bool) or not isinstance(value, (int, float, np.floating, np.integer)):
-                raise Refused(f"tolerance limit {value!r} is not a number")
+                raise Refused("tolerance-not-a-number", value=repr(value))
             if not math.isfinite(value):
-                raise Refused(f"tolerance limit {value!r} is not finite", do="Give a finite number.")
+                raise Refused("tolerance-not-finite", value=value)
             if abs(value) > LARGEST:
-                raise Refused(f"tolerance limit {value:g} (mm or rad) is absurd", do="Check the number and its unit.")
+                raise Refused("tolerance-too-large", value=value)
         if self.upper < self.lower:
-            raise Refused(
-                f"upper limit {self.upper:g} is below lower limit {self.lower:g}", do="Exchange the two limits."
-            )
+            raise Refused("tolerance-limits-reversed", lower=self.lower, upper=self.upper)
         if self.distribution not in DISTRIBUTIONS:
-            raise Refused(f"unknown distribution {self.distribution!r}", do=f"Use one of {', '.join(DISTRIBUTIONS)}.")
+            raise Refused("distribution-unknown", name=repr(self.distribution), known=DISTRIBUTIONS)
         if self.sigma is not None:
             if self.distribution not in ("normal", "truncated_normal"):
-                raise Refused(f"sigma means nothing for a {self.distribution} distribution", do="Leave it out.")
+                raise Refused("distribution-without-sigma", name=self.distribution)
             if self.sigma <= 0:
-                raise Refused(f"sigma {self.sigma:g} is not positive")
+                raise Refused("sigma-not-positive", sigma=self.sigma)
 
     @property
     def moments(self) -> tuple[float, float, float, float]:
