@@ -284,7 +284,7 @@ class Tracer:
     def _line(self, others, candidate: Candidate) -> bool:
         full = self.fit_with([*others, candidate])
         rows = self.rows(full)
-        if not stands_out(rows, candidate, self.scanner(rows)):
+        if not stands_out(self.scanned(rows), candidate, self.scanner(rows)):
             return False
         return not beyond(rows, candidate, self.readings.columns, self.names, int(np.count_nonzero(full.weight)))
 

@@ -299,3 +299,17 @@ def test_too_few_readings_are_refused(count):
     machine, readings = column_bend(200)
     with pytest.raises(Refused, match="readings"):
         trace(machine, readings.select(np.arange(count)))
+
+
+@pytest.mark.parametrize("count", [4200, 14000])
+def test_a_screw_is_found_where_a_scan_looks_at_some_points_only(count):
+    _, machine = both("FXYZ")
+    rng = np.random.default_rng(count)
+    q = np.zeros((count, 3))
+    q[:, 0] = rng.uniform(-300, 300, count)
+    error = np.full((count, 3), np.nan)
+    error[:, 0] = 1.5e-3 * np.sin(2 * np.pi * q[:, 0] / 10) + NOISE * rng.normal(size=count)
+    report = trace(machine, Readings.from_vectors(q, error), seed=1, permutations=119).report
+    [found] = report["effects"]
+    assert (report["verdict"], found["component"], found["shape"]) == ("explained", "EXX", "periodic")
+    assert found["parameters"]["period"]["value"] == pytest.approx(10.0, abs=0.01)
