@@ -56,7 +56,7 @@ def predict(machine: Machine, positions: Readings, alignment: bool = True, effec
     """(P, 3) predicted error, mm, actual minus commanded in the machine frame.
 
     alignment : include the fitted alignment and run offsets.  effects : include the enabled effects; refuses when a
-    column that one of them needs is missing.
+    column that one of them needs is missing, or where a result is not a finite number.
     """
     if machine.fitted is None:
         raise Refused(
@@ -64,6 +64,16 @@ def predict(machine: Machine, positions: Readings, alignment: bool = True, effec
             machine.name,
             "Run trace first, and predict from its machine_augmented.",
         )
+    with np.errstate(all="ignore"):
+        out = _predicted(machine, positions, alignment, effects)
+    bad = ~np.isfinite(out).all(axis=1)
+    if bad.any():
+        row = int(np.argmax(bad))
+        raise Refused("predicted-not-finite", f"row {row}" if positions.line is None else f"line {positions.line[row]}")
+    return out
+
+
+def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: bool) -> np.ndarray:
     q = positions.q
     parts: list[tuple[str, np.ndarray]] = list(declared_values(machine, q).items())
     if alignment:

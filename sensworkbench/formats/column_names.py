@@ -22,6 +22,9 @@ TEMPERATURE |= {"degC": TEMPERATURE["C"], "°C": TEMPERATURE["C"], "degF": TEMPE
 SPEED = {"mm_min": 1.0, "m_min": 1e3, "mm_s": 60.0, "m_s": 6e4, "um_s": 0.06, "in_min": 25.4, "in_s": 1524.0}
 ROTATION = {"rpm": 1.0, "1_min": 1.0, "rps": 60.0, "1_s": 60.0, "Hz": 60.0, "rad_s": 30 / np.pi, "deg_s": 1 / 6}
 NONE = {"": 1.0}
+LARGEST = 1e15  # no column holds a number beyond this, in its internal unit
+LARGEST_LENGTH = 1e7  # mm: ten kilometres
+SMALLEST_UNCERTAINTY = 1e-12  # mm
 
 # kind -> (unit suffixes, the internal unit)
 KINDS = {

@@ -7,14 +7,13 @@ names (`# sign: compensation`), a mapping file does it for tables that cannot be
 
 from __future__ import annotations
 
-import json
-import re
 from collections.abc import Mapping
 
 from sensworkbench.core.refusal import Refused
 
-from . import column_names
+from . import column_names, json_text
 from .files import read_text
+from .json_text import short
 
 # question -> answers; the first is what is assumed where a file says nothing
 ANSWERS = {
@@ -30,14 +29,20 @@ NOT_IN_READINGS = {
     "squareness": "readings hold displacements only; the machine's own setting decides",
     "squareness_sign": "readings hold displacements only, so nothing is converted",
 }
-_ANSWER = re.compile(r"([A-Za-z_][A-Za-z_ ]*?)\s*[:=]\s*(.+)$")
+LONGEST = max(len(key) for key in ANSWERS)
+
+
+def _statement(text: str) -> tuple[str, str]:
+    """(question, answer) of a comment, cut at its first colon or equals sign; ("", "") where it answers none."""
+    cut = min((at for at in (text.find(":"), text.find("=")) if at >= 0), default=-1)
+    name, said = text[: max(cut, 0)].strip(), text[cut + 1 :].strip()
+    key = name.lower().replace(" ", "_") if len(name) <= LONGEST else ""
+    return (key, said) if key in ANSWERS and said else ("", "")
 
 
 def question(text: str) -> str:
     """The question that a comment answers, "" where it is an ordinary comment."""
-    match = _ANSWER.match(text)
-    key = match.group(1).strip().lower().replace(" ", "_") if match else ""
-    return key if key in ANSWERS else ""
+    return _statement(text)[0]
 
 
 def read_answers(comments, header: Mapping, names_line: int, source: str) -> dict[str, tuple[tuple[str, ...], int]]:
@@ -45,22 +50,21 @@ def read_answers(comments, header: Mapping, names_line: int, source: str) -> dic
     stated = [(f"{k}: {v}", 0) for k, v in header.items()]
     for text, _ in stated:
         if not question(text):
-            raise Refused(f"{text!r} answers no question", "mapping, header", f"Questions are {', '.join(ANSWERS)}.")
+            raise Refused("statement-unknown", "mapping, header", text=short(text), known=list(ANSWERS))
     answers: dict[str, tuple[tuple[str, ...], int]] = {}
     for text, line in stated + [(text, line) for line, text in comments]:
-        key = question(text)
+        key, said = _statement(text)
         if not key:
             continue
         where = f"{source}, line {line}" if line else "mapping, header"
-        said = _ANSWER.match(text).group(2)
-        word, *axes = said.strip().lower().replace("-", "_").replace(",", " ").split()
+        word, *axes = said.lower().replace("-", "_").replace(",", " ").split() or [""]
         if word not in ANSWERS[key] or (axes and not (key == "positions" and set(axes) <= set("xyz"))):
-            raise Refused(f"{said!r} is no answer to {key!r}", where, f"Write {' or '.join(ANSWERS[key])}.")
+            raise Refused("statement-answer", where, text=short(said), key=key, known=list(ANSWERS[key]))
         if line > names_line:
-            raise Refused(f"{key!r} is stated behind the names", where, "Move it above the row of names.")
+            raise Refused("statement-behind-names", where, key=key)
         if key in answers:
             if answers[key][0] != (word, *axes):
-                raise Refused(f"{key!r} is answered twice, differently", where, "Keep one answer.")
+                raise Refused("statement-twice", where, key=key)
             continue
         answers[key] = ((word, *axes), line)
     return answers
@@ -68,26 +72,24 @@ def read_answers(comments, header: Mapping, names_line: int, source: str) -> dic
 
 def load_mapping(path) -> dict:
     """A mapping file: JSON, {"x_mm": "Pos X [mm]", "z_mm": 0, "ignore": ["Remark"], "header": {"sign": "error"}}."""
-    name = str(path)
-    try:
-        found = json.loads(read_text(path))
-    except json.JSONDecodeError as error:
-        raise Refused(error.msg, f"{name}, line {error.lineno}, column {error.colno}", "Correct the JSON.") from None
-    return check_mapping(found, name)
+    place = json_text.parse(read_text(path), str(path))
+    return check_mapping(place.value, str(path))
 
 
 def check_mapping(mapping, where: str = "mapping") -> dict:
     """`mapping` if it is well formed: our name -> their name or a constant, "ignore" -> names, "header" -> answers."""
     if not isinstance(mapping, Mapping):
-        raise Refused("a mapping is an object of names", where, 'Write {"x_mm": "their name", ...}.')
+        raise Refused("mapping-not-an-object", where)
     for key, value in mapping.items():
         if key == "ignore":
-            good = isinstance(value, (list, tuple)) and all(isinstance(v, str) for v in value)
+            if not isinstance(value, (list, tuple)) or not all(isinstance(v, str) for v in value):
+                raise Refused("mapping-ignore", where)
         elif key == "header":
-            good = isinstance(value, Mapping) and all(isinstance(v, str) for v in value.values())
+            if not isinstance(value, Mapping) or not all(isinstance(v, str) for v in value.values()):
+                raise Refused("mapping-header", where)
         else:
             column_names.parse(key, where)
-            good = isinstance(value, str) or (isinstance(value, (int, float)) and not isinstance(value, bool))
-        if not good:
-            raise Refused(f"{value!r} cannot stand for {key!r}", where, "Give a column's name or a number.")
+            number = isinstance(value, (int, float)) and not isinstance(value, bool)
+            if not isinstance(value, str) and not (number and abs(value) <= column_names.LARGEST):
+                raise Refused("mapping-value", where, value=short(value), key=short(key), limit=column_names.LARGEST)
     return dict(mapping)

@@ -129,10 +129,9 @@ class _Reader:
             if not isinstance(value, str):
                 name = column_names.parse(key)
                 self._refuse_twice(name.base, f"mapping, {key}")
-                self.values[name.base], self.units[name.base] = (
-                    name.convert(np.full(table.rows, float(value))),
-                    name.unit,
-                )
+                values = name.convert(np.full(table.rows, float(value)))
+                self._refuse_large(name, values, lambda _, key=key: f"mapping, {key}")
+                self.values[name.base], self.units[name.base] = values, name.unit
         for base in POSITION:
             if base not in self.values:
                 raise Refused(
@@ -185,6 +184,7 @@ class _Reader:
         with np.errstate(over="ignore"):
             values = name.convert(values)
         self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
+        self._refuse_large(name, values, lambda row: table.place(row, j))
         if table.rows and np.isnan(values).all() and base not in POSITION:
             self._note("warning", "empty-column", f"column {written!r} is empty and left out", table.names_line)
             return
@@ -226,6 +226,14 @@ class _Reader:
         if bad.any():
             row = int(np.argmax(bad))
             raise Refused(f"{table.cells[j][row]!r} is not a finite number", table.place(row, j), "Correct the cell.")
+
+    def _refuse_large(self, name: column_names.Name, values: np.ndarray, place) -> None:
+        limit = column_names.LARGEST_LENGTH if name.kind == "length" and name.known else column_names.LARGEST
+        bad = np.abs(values) > limit  # false where a cell is empty
+        if bad.any():
+            row = int(np.argmax(bad))
+            written = f"{values[row]:g}"
+            raise Refused("number-too-large", place(row), value=written, column=name.base, limit=limit, unit=name.unit)
 
     def _refuse_empty(self, base: str) -> None:
         missing = np.isnan(self.values[base])
@@ -361,6 +369,11 @@ class _Reader:
                 self.table.place(row, self.column_of["u"]) if "u" in self.column_of else "mapping, u",
                 "Leave the cell empty where it is unknown.",
             )
+        if u is not None and np.any(u < column_names.SMALLEST_UNCERTAINTY):
+            row = int(np.argmax(u < column_names.SMALLEST_UNCERTAINTY))
+            where = self.table.place(row, self.column_of["u"]) if "u" in self.column_of else "mapping, u"
+            limit = column_names.SMALLEST_UNCERTAINTY
+            raise Refused("uncertainty-too-small", where, value=f"{u[row]:g}", limit=limit)
         return keep
 
     def _finish(self, keep, derive, point, sense, value, u, kind) -> Readings:
