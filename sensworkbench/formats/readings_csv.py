@@ -20,10 +20,10 @@ from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
 from .csv_table import Table
 from .predicted_csv import save_predicted
 from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
+from .readings_order import approach_directions, backwards, time_order
 
 __all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_predicted", "approach_directions"]
 
-STILL_MM = 1e-3  # positions that differ by less are the same place when a direction of approach is derived
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
 FEW_ROWS = 12
 MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
@@ -383,8 +383,9 @@ class _Reader:
         categories = {k: v[keep] for k, v in self.categories.items()}
         run = None if self.run is None else self.run[keep]
         line = self.table.line[keep]
-        order = self._time_order(columns.get("t"), run, line)
+        order, said = time_order(columns.get("t"), run)
         if order is not None:
+            self._note("warning", "time-order", said, int(line[backwards(columns["t"])[0] + 1]))
             columns = {k: v[order] for k, v in columns.items()}
             categories = {k: v[order] for k, v in categories.items()}
             run = None if run is None else run[order]
@@ -411,17 +412,6 @@ class _Reader:
             findings=tuple(self.findings),
         )
 
-    def _time_order(self, t, run, line):
-        """A stable order by time if the file is not in it, else None."""
-        if t is None or np.all(np.diff(t) >= 0):
-            return None
-        back = np.flatnonzero(np.diff(t) < 0)
-        text = f"time runs backwards at {len(back)} places: rows are taken in the order of t"
-        if run is not None and np.all(run[back] != run[back + 1]):
-            text += "; it does so only between runs, which are taken to share one clock"
-        self._note("warning", "time-order", text, int(line[back[0] + 1]))
-        return np.argsort(t, kind="stable")
-
     def _derive_directions(self, columns: dict) -> None:
         derived = []
         for a in POSITION:
@@ -439,14 +429,6 @@ class _Reader:
                 "direction-derived",
                 f"{', '.join(derived)} not given: derived from successive positions in the order of {order}",
             )
-
-
-def approach_directions(position) -> np.ndarray:
-    """(P,) -1, 0, +1: sign of the last move that changed `position` (P,) mm; 0 before the first move."""
-    move = np.diff(np.asarray(position, dtype=float), prepend=position[0])
-    sign = np.where(np.abs(move) > STILL_MM, np.sign(move), 0.0)
-    last = np.maximum.accumulate(np.where(sign != 0, np.arange(len(sign)), 0))
-    return sign[last]
 
 
 def _lines(lines) -> str:

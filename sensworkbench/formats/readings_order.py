@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The order of readings: by time where a time is given, and the directions of approach that follow from an order."""
+
+from __future__ import annotations
+
+import numpy as np
+
+STILL_MM = 1e-3  # positions that differ by less are the same place when a direction of approach is derived
+
+
+def backwards(t) -> np.ndarray:
+    """Rows behind which the time `t` (P,) runs backwards."""
+    return np.flatnonzero(np.diff(t) < 0)
+
+
+def time_order(t, run) -> tuple[np.ndarray | None, str]:
+    """(stable order by time, what to say) of rows that are not in it; (None, "") where they are, or have no time."""
+    if t is None or np.all(np.diff(t) >= 0):
+        return None, ""
+    back = backwards(t)
+    text = f"time runs backwards at {len(back)} places: rows are taken in the order of t"
+    if run is not None and np.all(run[back] != run[back + 1]):
+        text += "; it does so only between runs, which are taken to share one clock"
+    return np.argsort(t, kind="stable"), text
+
+
+def approach_directions(position) -> np.ndarray:
+    """(P,) -1, 0, +1: sign of the last move that changed `position` (P,) mm; 0 before the first move."""
+    move = np.diff(np.asarray(position, dtype=float), prepend=position[0])
+    sign = np.where(np.abs(move) > STILL_MM, np.sign(move), 0.0)
+    last = np.maximum.accumulate(np.where(sign != 0, np.arange(len(sign)), 0))
+    return sign[last]
