@@ -5,7 +5,11 @@ from __future__ import annotations
 
 import sys
 
-from sensworkbench.cli import main
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    try:
+        from sensworkbench.cli import main
+
+        status = main(sys.argv[1:])
+    except KeyboardInterrupt:  # while the program was still being imported
+        status = 130
+    sys.exit(status)

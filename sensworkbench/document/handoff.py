@@ -62,7 +62,7 @@ def run(argv: Sequence[str]) -> int:
                 stdout=chatter if shared else None,
                 stderr=chatter if shared else None,
             ).returncode
-            if status not in (0, 1, 2):
+            if status not in (0, 1, 2, 130):
                 chatter.seek(0)
                 tail = chatter.read()[-2000:].decode(errors="replace").strip()
                 sys.stderr.write(f"FreeCAD ended with status {status}.\n{tail}\n")

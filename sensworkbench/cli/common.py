@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the verbs of the command line share: exit statuses, types of arguments, printing, and how a MACHINE is read.
+
+Importing it imports neither numpy nor FreeCAD.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import math
+import os
+import sys
+from pathlib import Path
+
+from sensworkbench.core.refusal import Refused
+
+DONE, DEFECT, REFUSED, INTERRUPTED = 0, 1, 2, 130
+
+
+# -- types of arguments ------------------------------------------------------------------------------------------------
+def triple(text: str) -> tuple[float, float, float]:
+    """Three finite numbers `X,Y,Z`."""
+    try:
+        values = tuple(float(v) for v in text.split(","))
+    except ValueError:
+        values = ()
+    if len(values) != 3:
+        raise argparse.ArgumentTypeError(f"{text!r} is not three numbers X,Y,Z")
+    if not all(math.isfinite(v) for v in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not finite")
+    return values
+
+
+def counts(text: str):
+    """A number of positions, `N` (an int) or `NX,NY,NZ` (a tuple)."""
+    try:
+        values = [int(v) for v in text.split(",")]
+    except ValueError:
+        values = []
+    if len(values) not in (1, 3) or any(not 1 <= v <= 10**6 for v in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of positions, N or NX,NY,NZ")
+    return values[0] if len(values) == 1 else tuple(values)
+
+
+def whole(text: str) -> int:
+    """A whole number, 0 to 999999999."""
+    if not text.isascii() or not text.isdigit() or len(text) > 9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number")
+    return int(text)
+
+
+def positive(text: str) -> float:
+    """A finite number above zero."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number above zero")
+    return value
+
+
+# -- arguments that several verbs take ---------------------------------------------------------------------------------
+def add_machine(parser, name: str = "machine", metavar: str = "MACHINE", help: str | None = None) -> None:
+    """Add the argument `name`, a file that may be a FreeCAD document: the verb is then run inside FreeCAD."""
+    text = help or "machine.json, or a FreeCAD document (.FCStd) that holds a machine"
+    parser.add_argument(name, metavar=metavar, help=text)
+    parser.set_defaults(documents=(*(parser.get_default("documents") or ()), name))
+
+
+def add_mapping(parser) -> None:
+    """Add --mapping; `mapping(arguments)` reads it."""
+    parser.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
+
+
+def mapping(arguments):
+    """The mapping of column names that --mapping names, or None."""
+    from sensworkbench.formats import readings_csv
+
+    return readings_csv.load_mapping(arguments.mapping) if arguments.mapping else None
+
+
+# -- documents ---------------------------------------------------------------------------------------------------------
+def is_document(path) -> bool:
+    """Whether a path is that of a FreeCAD document."""
+    return Path(path).suffix.lower() == ".fcstd"
+
+
+def in_freecad() -> bool:
+    """Whether the program runs inside FreeCAD."""
+    return "FreeCAD" in sys.modules
+
+
+def hand_over(path, argv) -> int:
+    """Run the command line `argv` about the document `path` in a new FreeCAD process; returns its exit status."""
+    if not Path(path).is_file():
+        raise Refused("cannot be read: no such file", str(path), "Check the name.")
+    return importlib.import_module("sensworkbench.document.handoff").run(argv)
+
+
+def batch():
+    """The module that opens and saves documents without a window; inside FreeCAD only."""
+    return importlib.import_module("sensworkbench.document.batch")
+
+
+def load_machine(path):
+    """The machine of a machine.json, or inside FreeCAD of a document."""
+    if not is_document(path):
+        from sensworkbench.formats import machine_json
+
+        return machine_json.load(path)
+    machine, opened = batch().load_machine(path)
+    opened.close()
+    return machine
+
+
+# -- results -----------------------------------------------------------------------------------------------------------
+def same_file(one, other) -> bool:
+    """Whether both paths name one existing file."""
+    return Path(one).exists() and Path(one).samefile(other)
+
+
+def keep_inputs(out, *inputs) -> None:
+    """Refuse to write the file `out` over one of the inputs."""
+    for given in inputs:
+        if same_file(out, given):
+            raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
+
+
+def say(text: str, stream=None) -> None:
+    """Print a line, whatever the encoding of the stream, and whether or not somebody still reads it."""
+    stream = sys.stdout if stream is None else stream
+    if stream is None:  # closed before the program began
+        return
+    encoding = getattr(stream, "encoding", None) or "utf-8"
+    try:
+        print(text.encode(encoding, "replace").decode(encoding, "replace"), file=stream, flush=True)
+    except (OSError, ValueError):  # a closed pipe or stream: the files are the result, not what is said about them
+        _silence(stream)
+
+
+def _silence(stream) -> None:
+    """Send what a broken stream still buffers nowhere, so that the end of the program does not fail on it."""
+    try:
+        nowhere = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(nowhere, stream.fileno())
+        os.close(nowhere)
+    except (OSError, ValueError, AttributeError):
+        pass
+
+
+def say_paths(paths) -> int:
+    """Say what was written, a path a line; returns DONE."""
+    for path in paths:
+        say(str(path))
+    return DONE

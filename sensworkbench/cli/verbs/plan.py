@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`plan MACHINE [POSITIONS.csv] --out DIR`: what a measuring plan could find, before anything is measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sensworkbench.core.refusal import Refused
+
+from .. import common
+
+HELP = "what a measuring plan could find, before measuring"
+FILES = "`plan.json`, `report.html`, `candidates.csv`, `positions_suggested.csv`"
+
+
+def add(parser) -> None:
+    common.add_machine(parser)
+    text = "planned places and conditions; optional with --suggest"
+    parser.add_argument("positions", metavar="POSITIONS.csv", nargs="?", help=text)
+    text = "folder for plan.json, report.html, candidates.csv"
+    parser.add_argument("--out", metavar="DIR", required=True, help=text)
+    text = "of one reading, um (default 1)"
+    parser.add_argument("--noise", metavar="UM", type=common.positive, default=1.0, help=text)
+    text = "write positions_suggested.csv with N places"
+    parser.add_argument("--suggest", metavar="N", type=common.whole, help=text)
+    text = "of the suggested plan (default 0)"
+    parser.add_argument("--seed", metavar="N", type=common.whole, default=0, help=text)
+    common.add_mapping(parser)
+
+
+def run(arguments) -> int:
+    if arguments.positions is None and arguments.suggest is None:
+        raise Refused("there is no plan to check", "plan", "Name POSITIONS.csv, or ask for one with --suggest N.")
+    from sensworkbench.formats import plan_out
+
+    readings = None
+    if arguments.positions is not None:
+        readings = plan_out.load(arguments.positions, arguments.noise, common.mapping(arguments))
+        common.keep_inputs(Path(arguments.out) / plan_out.SUGGESTED, arguments.positions)
+    try:
+        machine = common.load_machine(arguments.machine)
+        checked = plan_out.check(machine, readings, arguments.noise, arguments.suggest, arguments.seed)
+    except Refused as refused:
+        if refused.where == "plan" and arguments.positions is not None:
+            raise Refused(refused.what, arguments.positions, refused.do) from None
+        raise
+    data = plan_out.to_dict(checked)
+    paths = plan_out.write(arguments.out, checked, data)
+    for line in plan_out.summary(data):
+        common.say(line)
+    return common.say_paths(paths)

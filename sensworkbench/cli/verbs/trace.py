@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`trace MACHINE MEASURED.csv --out DIR`: what the readings show that the model lacks."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sensworkbench.core.refusal import Refused
+
+from .. import common
+
+HELP = "from readings to the effect that the model lacks"
+FILES = "`trace.json`, `report.html`, `machine_augmented.json` (`.FCStd`), `covariance.npz`"
+AUGMENTED = "machine_augmented.FCStd"
+
+
+def add(parser) -> None:
+    common.add_machine(parser)
+    parser.add_argument("readings", metavar="MEASURED.csv", help="what was measured")
+    text = "folder for trace.json, report.html, machine_augmented.*"
+    parser.add_argument("--out", metavar="DIR", required=True, help=text)
+    common.add_mapping(parser)
+    text = "of the permutations (default 0)"
+    parser.add_argument("--seed", metavar="N", type=common.whole, default=0, help=text)
+    text = "behind each p (default 199)"
+    parser.add_argument("--permutations", metavar="N", type=common.whole, default=199, help=text)
+
+
+def run(arguments) -> int:
+    from sensworkbench.formats import machine_json, readings_csv, trace_run
+
+    readings = readings_csv.load(arguments.readings, common.mapping(arguments))
+    if not common.is_document(arguments.machine):
+        outcome = _traced(machine_json.load(arguments.machine), readings, arguments)
+        paths = trace_run.write(arguments.out, outcome)
+    else:
+        batch = common.batch()
+        machine, opened = batch.load_machine(arguments.machine)
+        with opened:
+            outcome = _traced(machine, readings, arguments)
+
+            def add_document(work, augmented):
+                batch.write_augmented(opened, work / AUGMENTED, augmented)
+
+            if common.same_file(Path(arguments.out) / AUGMENTED, arguments.machine):
+                raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
+            paths = trace_run.write(arguments.out, outcome, add_document)
+    common.say(outcome.report["verdict"])
+    for effect in outcome.report["effects"]:
+        common.say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
+    return common.say_paths(paths)
+
+
+def _traced(machine, readings, arguments):
+    from sensworkbench.closedloop.trace import trace
+
+    if not 199 <= arguments.permutations <= 9999:
+        raise Refused(f"{arguments.permutations} permutations", "--permutations", "Give 199 to 9999.")
+    return trace(machine, readings, seed=arguments.seed, permutations=arguments.permutations)
