@@ -11,8 +11,7 @@ import math
 from dataclasses import dataclass, field
 
 import FreeCAD as App
-import Part
-
+from . import curves
 from .paths import Place
 
 TOUCHING = 0.05  # mm
@@ -122,36 +121,28 @@ def _rail(p: int, s: int, solid) -> Guide | None:
 
 def _screw(p: int, s: int, solid) -> Guide | None:
     best = None
-    for face in solid.Faces:
-        surface = face.Surface
-        if isinstance(surface, Part.Cylinder) and _outside(face):
-            u = _signed(App.Vector(surface.Axis).normalize())
+    for face in curves.parts(solid, "Faces"):
+        found = curves.cylinder(face)
+        if found is not None and found[3]:
+            _, axis, radius, _ = found
+            u = _signed(axis)
             values = [v.Point.dot(u) for v in face.Vertexes]
             length = max(values) - min(values) if values else 0.0
-            if face.Area < ROUND * 2 * math.pi * surface.Radius * length:  # a rounded edge
+            if face.Area < ROUND * 2 * math.pi * radius * length:  # a rounded edge
                 continue
-            if length >= SLENDER * 2 * surface.Radius and (best is None or length > best.length):
-                best = Guide("screw", p, s, u, min(values), max(values), 2 * surface.Radius)
+            if length >= SLENDER * 2 * radius and (best is None or length > best.length):
+                best = Guide("screw", p, s, u, min(values), max(values), 2 * radius)
     return best
-
-
-def _outside(face) -> bool:
-    """Whether a cylinder's face looks away from its axis: no bore."""
-    u0, u1, v0, v1 = face.ParameterRange
-    at = (u0 + u1) / 2, (v0 + v1) / 2
-    radial = face.valueAt(*at) - face.Surface.Center
-    axis = App.Vector(face.Surface.Axis)
-    return face.normalAt(*at).dot(radial - axis * radial.dot(axis)) > 0
 
 
 def longest_edge(shape):
     """The longest straight edge, or None."""
-    straight = [e for e in shape.Edges if isinstance(e.Curve, (Part.Line, Part.LineSegment))]
+    straight = [e for e in curves.parts(shape, "Edges") if curves.line(e) is not None]
     return max(straight, key=lambda e: e.Length, default=None)
 
 
 def _along(edge) -> App.Vector:
-    return _signed(edge.tangentAt(edge.FirstParameter).normalize())
+    return _signed(curves.line(edge))
 
 
 def _signed(u: App.Vector) -> App.Vector:

@@ -9,6 +9,7 @@ import FreeCAD as App
 import Part
 
 from ..core.refusal import Refused
+from . import curves
 from .paths import DATUM_TYPES, LINE_ALONG_X, LINE_ALONG_Z, PLANES, Place, leaves
 
 LOCAL = {"X": App.Vector(1, 0, 0), "Y": App.Vector(0, 1, 0), "Z": App.Vector(0, 0, 1)}
@@ -48,7 +49,7 @@ def _direction(where: Place, along: str, name: str):
         return _local(where, "Z")
     if kind not in DATUM_TYPES:
         shape = where.shape()
-        if shape is not None and len(shape.Edges) == 1 and not shape.Faces and _is_line(shape.Edges[0]):
+        if shape is not None and len(shape.Edges) == 1 and not shape.Faces and curves.line(shape.Edges[0]) is not None:
             return _of_shape(where, shape.Edges[0])
     return _local(where, name)
 
@@ -62,23 +63,19 @@ def _real(where: Place):
     return (obj.getLinkedObject(True) if hasattr(obj, "getLinkedObject") else obj) or obj
 
 
-def _is_line(edge) -> bool:
-    return isinstance(edge.Curve, (Part.Line, Part.LineSegment))
-
-
 def _of_shape(where: Place, shape):
     kind = shape.ShapeType
     if kind == "Edge":
-        if _is_line(shape):
-            found = shape.tangentAt(shape.FirstParameter)
-            return found.normalize(), f"along {where.label}"
-        if hasattr(shape.Curve, "Axis"):
-            return App.Vector(shape.Curve.Axis).normalize(), f"axis of {where.label}"
+        along = curves.line(shape)
+        if along is not None:
+            return along, f"along {where.label}"
+        curve = curves.curve(shape)
+        if hasattr(curve, "Axis"):
+            return App.Vector(curve.Axis).normalize(), f"axis of {where.label}"
     if kind == "Face":
-        surface = shape.Surface
-        if isinstance(surface, Part.Plane):
-            u0, u1, v0, v1 = shape.ParameterRange
-            return shape.normalAt((u0 + u1) / 2, (v0 + v1) / 2).normalize(), f"normal of {where.label}"
+        normal, surface = curves.plane(shape), curves.surface(shape)
+        if normal is not None:
+            return normal, f"normal of {where.label}"
         if hasattr(surface, "Axis"):
             return App.Vector(surface.Axis).normalize(), f"axis of {where.label}"
     raise Refused(
@@ -117,8 +114,8 @@ def _point(where: Place, at: str):
 def _point_of_shape(where: Place, shape):
     if shape.ShapeType == "Vertex":
         return shape.Point, f"{where.label}"
-    if shape.ShapeType == "Edge" and hasattr(shape.Curve, "Center"):
-        return App.Vector(shape.Curve.Center), f"centre of {where.label}"
+    if shape.ShapeType == "Edge" and hasattr(curves.curve(shape), "Center"):
+        return App.Vector(curves.curve(shape).Center), f"centre of {where.label}"
     if hasattr(shape, "CenterOfMass"):
         return shape.CenterOfMass, f"middle of {where.label}"
     raise Refused(f"{where.label!r} gives no point", where.object.Label, "Choose a vertex, an edge, a face or a datum.")

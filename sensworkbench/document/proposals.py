@@ -15,7 +15,7 @@ import Part
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from . import contacts, factory
+from . import contacts, curves, factory
 from .contacts import Guide, Piece
 from .imported import apart, is_one_lump, pieces_of, split, whole_containers  # noqa: F401 - part of this module's face
 from .part_names import TOOL_POINT, WORKPIECE_SIDE, guess
@@ -117,10 +117,9 @@ def _letters(directions) -> list[str]:
 def _source(piece: Piece, u: App.Vector) -> tuple[tuple, bool]:
     """(link to an edge or cylinder of the piece along u, whether it has to be reversed)."""
     shape = piece.where.shape()
-    edges = [(e.Length, f"Edge{n}", e.tangentAt(e.FirstParameter)) for n, e in enumerate(shape.Edges, 1)
-             if isinstance(e.Curve, (Part.Line, Part.LineSegment))]  # fmt: skip
-    faces = [(f.Area, f"Face{n}", App.Vector(f.Surface.Axis)) for n, f in enumerate(shape.Faces, 1)
-             if isinstance(f.Surface, Part.Cylinder)]  # fmt: skip
+    edges = [(e.Length, f"Edge{n}", u_) for n, e in enumerate(shape.Edges, 1) if (u_ := curves.line(e)) is not None]
+    faces = [(f.Area, f"Face{n}", App.Vector(curves.surface(f).Axis)) for n, f in enumerate(shape.Faces, 1)
+             if isinstance(curves.surface(f), Part.Cylinder)]  # fmt: skip
     for candidates in (edges, faces):
         fitting = [c for c in candidates if c[2].cross(u).Length < contacts.PARALLEL * c[2].Length]
         if fitting:
@@ -362,8 +361,9 @@ class _Builder:
         for piece in self.members(body):
             shape = piece.where.shape()
             for n, edge in enumerate(shape.Edges, 1):
-                if isinstance(edge.Curve, Part.Circle) and abs(edge.Curve.Axis.z) > 0.999:
-                    key = (round(edge.Curve.Center.z, 3), -edge.Curve.Radius)
+                circle = curves.circle(edge)
+                if circle is not None and abs(circle.Axis.z) > 0.999:
+                    key = (round(circle.Center.z, 3), -circle.Radius)
                     if best is None or key < best[0]:
                         best = (key, (piece.where.root, f"{piece.where.path}Edge{n}"), piece.label)
         if best is None:
