@@ -11,6 +11,7 @@ import math
 from dataclasses import dataclass, field
 
 import FreeCAD as App
+
 from . import curves
 from .paths import Place
 
