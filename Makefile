@@ -1,7 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
-# make test    style, the tests without FreeCAD, inside FreeCAD, and in a window under Xvfb
-# make test-matrix  all tests on FreeCAD 0.20, 1.0 and 1.1: the machine's own, the others in chroots (as root)
+# make test    all tests on this machine's FreeCAD; the tiers, each named for what it needs:
+# make test-style     nothing but the source: the linter
+# make test-plain     Python and numpy: everything that does not touch FreeCAD
+# make test-portable  FreeCAD's own Python and numpy: golden numbers, readers, command line
+# make test-freecad   FreeCAD without a window
+# make test-window    FreeCAD in a window (under Xvfb)
+# make test-install   a clone of the last commit, installed as an add-on
+# make test-matrix    test-style and test-plain once, the others on FreeCAD 0.20, 1.0 and 1.1 (chroots, as root)
+# One test: .venv/bin/python -m pytest FILE::NAME, or .venv/bin/python tests/run_in_freecad.py [--gui] FILE::NAME
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
 # make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
 # make screens  a picture of every panel, light and dark, in build/screens/
@@ -17,7 +24,8 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-core test-document test-gui test-install test-matrix bench translations screens clean
+.PHONY: help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
+        test-matrix bench translations screens clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -37,18 +45,30 @@ demo: system
 	@mkdir -p $(OUT)
 	$(SYSTEM_PYTHON) -m sensworkbench demo --out $(OUT)
 
-test: test-style test-core test-document test-gui test-install
+# tests that need FreeCAD, a window or an installation are in these folders; all others are plain
+NEED_FREECAD := tests/document tests/gui tests/install
+# what differs between versions of Python and numpy
+PORTABLE := $(shell cat tests/portable.txt)
+# processes that share the plain tests
+WORKERS ?= 2
+
+test: test-style test-plain test-portable test-freecad test-window test-install
 
 test-style: venv
 	$(VENV_PYTHON) -m ruff check .
 
-test-core: venv
-	$(VENV_PYTHON) -m pytest --ignore=tests/document --ignore=tests/gui --ignore=tests/install tests
+test-plain: export OMP_NUM_THREADS = 1
+test-plain: export OPENBLAS_NUM_THREADS = 1
+test-plain: venv
+	$(VENV_PYTHON) -m pytest -n $(WORKERS) --dist loadfile $(NEED_FREECAD:%=--ignore=%) tests
 
-test-document: system venv
+test-portable: system venv
+	$(SYSTEM_PYTHON) tests/run_with.py $(VENV) $(PORTABLE)
+
+test-freecad: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py tests/document
 
-test-gui: system venv
+test-window: system venv
 	$(VENV_PYTHON) tests/run_in_freecad.py --gui tests/gui
 
 test-install: system venv

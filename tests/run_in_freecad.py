@@ -58,7 +58,7 @@ def run():
     status = 3
     try:
         try:
-            import pytest
+            import hypothesis, pytest
         except ImportError:
             sys.path.append(os.environ["SENS_TEST_PACKAGES"])
             import pytest

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# All tests on three versions of FreeCAD, on one machine of the Debian family, as root.
+# All tests on three versions of FreeCAD, on one machine of the Debian family, as root.  What needs no FreeCAD runs once.
 #
 #   0.20  as Debian bookworm has it   (Qt 5)
 #   1.0   as Debian trixie has it     (Qt 5)
@@ -9,15 +9,15 @@
 # The version that the machine itself has is used where it is, each other one in a chroot of its own that this script
 # builds (about 2.5 GB each).  What cannot be built is a failure, never a skip.
 #
-#   tools/freecad-matrix.sh test [VERSION...]              build what is missing, then all tests on each (default: all)
+#   tools/freecad-matrix.sh test [VERSION...]              build what is missing, then all tests (default: all versions)
 #   tools/freecad-matrix.sh install [VERSION...]           only build
 #   tools/freecad-matrix.sh exec VERSION -- COMMAND...     run in the current folder, with that version on the path
 #   tools/freecad-matrix.sh status                         what is there
 #   tools/freecad-matrix.sh remove VERSION                 delete a chroot
 #
 # Environment: SENS_MATRIX_ROOT, where the chroots are; SENS_MATRIX_MIRROR, the Debian mirror (default: that of this
-# machine's apt).  A command sees its current folder, /tmp and, below both, everything at the same path; its mounts and
-# all its processes end with it.
+# machine's apt); SENS_JOBS, how many versions are tested side by side (default: one a core).  A command sees its
+# current folder, /tmp and, below both, everything at the same path; its mounts and all its processes end with it.
 set -euo pipefail
 
 SELF=$(realpath "${BASH_SOURCE[0]}")
@@ -174,51 +174,75 @@ inside() { # ROOT COMMAND...   in the current folder, in mount and process names
     ' bash "$root" "$PWD" "${environment[@]}" "$@"
 }
 
-tests_in_chroot() { # VERSION: all but style, under that version's own Python, numpy and Qt
+tests_in_chroot() { # VERSION: the tiers that `make` runs on the machine's own FreeCAD, with that version's own Python
     local root status=0
     root=$(root_of "$1")
-    inside "$root" python3 -m pytest -p no:cacheprovider --disable-warnings --ignore=tests/document --ignore=tests/gui \
-        --ignore=tests/install tests || status=1
+    # shellcheck disable=SC2046
+    inside "$root" python3 -m pytest -p no:cacheprovider --disable-warnings $(cat tests/portable.txt) || status=1
     inside "$root" python3 tests/run_in_freecad.py -p no:cacheprovider --disable-warnings tests/document || status=1
     inside "$root" python3 tests/run_in_freecad.py --gui -p no:cacheprovider --disable-warnings tests/gui || status=1
     inside "$root" python3 -m pytest -p no:cacheprovider --disable-warnings tests/install || status=1
     return "$status"
 }
 
-test_one() { # VERSION LOG
-    local version=$1 log=$2 began=$SECONDS status
-    say "FreeCAD $version: building and testing"
-    set +e # a failure is told, and the next version still tested
-    (
-        set -e
-        install "$version"
-        if [ "$(root_of "$version")" = / ]; then make test; else tests_in_chroot "$version"; fi
-    ) 2>&1 | tee "$log"
+run_job() { # plain, or a VERSION
+    if [ "$1" = plain ]; then
+        make --no-print-directory test-style test-plain WORKERS=0
+    elif [ "$(root_of "$1")" = / ]; then
+        make --no-print-directory -k test-portable test-freecad test-window test-install
+    else
+        tests_in_chroot "$1"
+    fi
+}
+
+test_one() { # JOB LOG: run it; its lines appear with its name in front
+    local job=$1 log=$2 began=$SECONDS status
+    set +e # a failure is told, and the other jobs still run
+    ( run_job "$job" ) < /dev/null 2>&1 | tee "$log" | sed -u "s/^/[$job] /"
     status=${PIPESTATUS[0]}
     set -e
     if [ "$status" = 0 ] && grep -q '^Traceback' "$log"; then
-        say "an exception went to the log of FreeCAD $version"
+        say "an exception went to the log of $job"
         status=1
     fi
-    say "FreeCAD $version: $([ "$status" = 0 ] && echo passed || echo FAILED) after $((SECONDS - began)) s"
-    return "$status"
+    say "$job: $([ "$status" = 0 ] && echo passed || echo FAILED) after $((SECONDS - began)) s"
+    [ "$status" = 0 ] || touch "$log.failed"
+}
+
+closing_lines() { # LOG: "1385 passed, 3 deselected in 130.2s" of every tier
+    grep -hoE '[0-9]+ (passed|failed|error|errors|skipped|deselected)\b.* in [0-9.]+s.*' "$1" | tr -d '=' || true
 }
 
 test_all() {
-    local version logs=build/matrix failed=()
+    local logs=build/matrix job failed=() versions=("$@") lanes=${SENS_JOBS:-$(nproc)} began=$SECONDS
     cd "$PROJECT"
+    rm -rf "$logs"
     mkdir -p "$logs"
-    export OMP_NUM_THREADS=${OMP_NUM_THREADS:-2} OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-2}
-    for version in "$@"; do
-        test_one "$version" "$logs/$version.log" || failed+=("$version")
+    make --no-print-directory venv # here, and not by two jobs at a time
+    install "${versions[@]}"
+    say "everything is built after $((SECONDS - began)) s; tests: $lanes at a time"
+    began=$SECONDS
+    [ "$lanes" -gt 1 ] && export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+    for job in plain "${versions[@]}"; do
+        while [ "$(jobs -rp | wc -l)" -ge "$lanes" ]; do wait -n || true; done
+        test_one "$job" "$logs/$job.log" &
     done
+    wait
     say "summary"
-    for version in "$@"; do
-        grep -hoE 'FreeCAD [0-9.]+ is version .*' "$logs/$version.log" || echo "FreeCAD $version was not built"
-        grep -hE '(passed|failed|errors?|skipped|no tests ran).* in [0-9.]+s' "$logs/$version.log" | tr -d '=' || true
+    for job in plain "${versions[@]}"; do
+        closing_lines "$logs/$job.log" | sed "s/^/$job: /"
+        [ ! -e "$logs/$job.log.failed" ] || failed+=("$job")
     done
-    [ ${#failed[@]} -eq 0 ] || die "FAILED on FreeCAD ${failed[*]}"
-    say "passed on FreeCAD $*"
+    # one closing line in pytest's own form over all tiers and versions
+    cat "$logs"/*.log | closing_lines - | awk -v seconds=$((SECONDS - began)) '
+        { sub(/ in .*/, ""); n = split($0, part, /, /); for (i = 1; i <= n; i++) { split(part[i], w, " "); sum[w[2]] += w[1] } }
+        END {
+            m = split("failed passed skipped deselected error errors", order, " ")
+            for (i = 1; i <= m; i++) if (sum[order[i]]) line = line (line ? ", " : "") sum[order[i]] " " order[i]
+            printf "===== %s in %.2fs =====\n", line, seconds
+        }'
+    [ ${#failed[@]} -eq 0 ] || die "FAILED: ${failed[*]}"
+    say "passed: plain, and FreeCAD ${versions[*]}"
 }
 
 # ---------------------------------------------------------------- main

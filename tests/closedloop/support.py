@@ -15,7 +15,6 @@ from sensworkbench.formats import machine_json, readings_csv
 from tests import simulator
 from tests.simulator import kinematics
 
-DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 TRAVEL = {k: (-300.0, 300.0) for k in "XYZ"}
 ORIGIN = {k: (0.0, 0.0, 0.0) for k in "XYZ"}
 APART = {"X": (30.0, -180.0, 200.0), "Y": (-60.0, -200.0, 100.0), "Z": (15.0, 100.0, 600.0)}

@@ -16,12 +16,11 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from simulator import CODES, KINDS, PLANS, make_case, read_case, write_case
-from simulator.effects import Effect, driver_table, lag, play
+from simulator.effects import driver_table, lag, play
 from simulator.kinematics import COMPONENTS, SQUARENESS, Machine, exact_error, from_dict, linear_error
-from simulator.oracle import complement, declared_columns, oracle_prediction
+from simulator.oracle import complement, declared_columns
 from simulator.plans import directions, places
 
-DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 UM = {"EXX": 1, "EYX": 5, "EZX": -3, "EXY": 4, "EYY": -1, "EZY": 2, "EXZ": -2, "EYZ": 3, "EZZ": 0.5}
 URAD = {"EAX": 10, "EBX": -15, "ECX": 20, "EAY": -5, "EBY": 12, "ECY": 8, "EAZ": 6, "EBZ": -9, "ECZ": 4}
 URAD |= {"C0Y": 20, "A0Z": -15, "B0Z": 10}
@@ -157,27 +156,6 @@ def test_outliers_are_as_many_and_as_gross_as_said():
     calm = make_case(4, "none", 1, sigma_um=0.4)
     assert calm.truth["outliers"] == 0
     assert 0 < case.truth["outliers"] == len(case.truth["outlier_rows"]) < 0.04 * case.truth["N"]
-
-
-@pytest.mark.parametrize("name", "ABCD")
-def test_the_bound_of_the_given_cases_is_met_by_the_fit_that_knows_the_effect(name):
-    folder = DATA / f"case-{name}"
-    if not folder.is_dir():
-        pytest.skip("the measured-data cases are not here")
-    case = read_case(folder)
-    machine = from_dict(case.machine)
-
-    def side(columns):
-        table = driver_table(columns)
-        q = np.stack([table[k] for k in "xyz"], axis=1)
-        scale = {k: (v.min(), v.max()) for k, v in table.items()}
-        return q, table, scale, np.zeros_like(q), None, ()
-
-    known = [Effect(e["component"], e["driver"], e["shape"]) for e in case.truth["effects"]]
-    keep = np.ones(len(case.reading), dtype=bool)
-    guess = oracle_prediction(machine, known, side(case.columns), case.reading / 1e3, side(case.fresh), keep)
-    error = np.sqrt(np.mean(np.sum((1e3 * guess - case.fresh_truth) ** 2, axis=1)))
-    assert error == pytest.approx(case.truth["fresh_bound_um"], rel=0.005)
 
 
 def test_the_simulator_shares_no_code_with_the_package():

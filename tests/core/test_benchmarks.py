@@ -8,8 +8,6 @@ import subprocess
 import sys
 from pathlib import Path
 
-import pytest
-
 SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "indices.py"
 
 
@@ -30,7 +28,6 @@ def test_million_positions_part_states_times_memory_and_a_check_of_the_sums():
 
 
 def test_openturns_part_is_exact():
-    pytest.importorskip("openturns")
     found = part("openturns", "--repetitions", "1")
     assert max(found["advised"]["error"], found["fewest"]["error"]) < 1e-10
     assert found["advised"]["seconds"] > 0

@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import numpy as np
+import openturns as ot
 import pytest
 from numpy.testing import assert_allclose
+from SALib.analyze import sobol as analyze
+from SALib.sample import sobol as sample
 
 from sensworkbench.core import sobol, synthesis
 from sensworkbench.core.distributions import Tolerance, moments, paper_tolerance
@@ -21,8 +24,6 @@ def squared_length(omega, x):
 # -- SALib --------------------------------------------------------------
 def salib_estimate(omega, lower, upper, samples, seed=1):
     """(S, its standard error, S^T, its standard error) by Saltelli's scheme on a Sobol sequence."""
-    analyze = pytest.importorskip("SALib.analyze.sobol")
-    sample = pytest.importorskip("SALib.sample.sobol")
     n = len(lower)
     problem = {"num_vars": n, "names": [f"X{i}" for i in range(n)], "bounds": np.c_[lower, upper].tolist()}
     x = sample.sample(problem, samples, calc_second_order=False, seed=seed)
@@ -61,7 +62,7 @@ def test_salib_tells_the_printed_equation_18_from_the_total_index():
 
 
 # -- OpenTURNS --------------------------------------------------------------
-def openturns_law(ot, tolerance: Tolerance):
+def openturns_law(tolerance: Tolerance):
     low, high = tolerance.lower, tolerance.upper
     return {
         "uniform": lambda: ot.Uniform(low, high),
@@ -74,9 +75,8 @@ def openturns_law(ot, tolerance: Tolerance):
 
 def openturns_chaos(omega, tolerances):
     """Sobol indices of a degree-2 polynomial chaos, exact for a quadratic form up to rounding."""
-    ot = pytest.importorskip("openturns")
     n = len(tolerances)
-    laws = [openturns_law(ot, t) for t in tolerances]
+    laws = [openturns_law(t) for t in tolerances]
     law = ot.JointDistribution(laws)
     enumerate_ = ot.LinearEnumerateFunction(n)
     families = [ot.StandardDistributionPolynomialFactory(one) for one in laws]

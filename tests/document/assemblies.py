@@ -18,15 +18,6 @@ SLIDERS = {
 }
 
 
-def available() -> bool:
-    try:
-        import JointObject  # noqa: F401
-        import UtilsAssembly  # noqa: F401
-    except ImportError:
-        return False
-    return True
-
-
 def new_assembly(doc, name="Assembly", parent=None):
     if parent is None:
         assembly = doc.addObject("Assembly::AssemblyObject", name)

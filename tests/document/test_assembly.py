@@ -12,10 +12,10 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.document import assembly as from_assembly
 from sensworkbench.document import drive, extract, factory, results
 
-from .assemblies import PLACES, SLIDERS, TIP, available, ground, group_of, join, limit, new_assembly, slider_machine
+from .assemblies import PLACES, SLIDERS, TIP, ground, group_of, join, limit, new_assembly, slider_machine
 from .blocks import TURNED, block, close, golden_machine, point
 
-pytestmark = pytest.mark.skipif(not available(), reason="this FreeCAD has no Assembly workbench")
+pytestmark = pytest.mark.needs("assembly")
 
 V, P, R = App.Vector, App.Placement, App.Rotation
 

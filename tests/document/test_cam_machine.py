@@ -15,20 +15,13 @@ import pytest
 from sensworkbench.core.machine import Axis, Machine
 from sensworkbench.formats.exchange.convert import convert, import_machine
 
-
-def cam():
-    """CAM's module of machines, or the reason why there is none."""
-    if os.environ.get("SENS_CAM"):
-        sys.path.append(os.environ["SENS_CAM"])
-    try:
-        from Machine.models import machine
-    except ImportError as error:
-        return None, f"this FreeCAD's CAM module knows no machines ({error})"
-    return machine, ""
-
-
-CAM, WHY_NOT = cam()
-pytestmark = pytest.mark.skipif(CAM is None, reason=WHY_NOT)
+pytestmark = pytest.mark.needs("cam-machines")
+if os.environ.get("SENS_CAM"):
+    sys.path.append(os.environ["SENS_CAM"])
+try:
+    from Machine.models import machine as CAM
+except ImportError:
+    CAM = None
 CHAINS = [((), ("X", "Y", "Z")), (("Y", "X"), ("Z",)), (("X",), ("Y", "Z")), (("Z", "Y", "X"), ())]
 
 

@@ -165,9 +165,11 @@ def test_a_part_inside_a_link_is_refused_because_every_copy_would_move(doc):
         jog.jog(machine, {"X": 10})
 
 
+@pytest.mark.needs("assembly")
 def test_parts_held_by_a_joint_are_refused(doc):
-    joints = pytest.importorskip("JointObject", reason="this FreeCAD has no assembly workbench")
-    utilities = pytest.importorskip("UtilsAssembly")
+    import JointObject as joints
+    import UtilsAssembly as utilities
+
     assembly = doc.addObject("Assembly::AssemblyObject", "Assembly")
     assembly.Type = "Assembly"
     group = assembly.newObject("Assembly::JointGroup", "Joints")

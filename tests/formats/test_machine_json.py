@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import random
-from pathlib import Path
 
 import pytest
 from hypothesis import given, settings
@@ -300,10 +299,3 @@ def test_unreadable_files_are_refused(tmp_path):
     for name, word in (("none.json", "no such file"), (".", "folder"), ("latin.json", "line 2"), ("huge.json", "MiB")):
         with pytest.raises(Refused, match=word):
             machine_json.load(tmp_path / name)
-
-
-@pytest.mark.skipif(not (ROOT.parent / "shared" / "data").is_dir(), reason="the measured cases are not here")
-def test_the_machines_of_the_measured_cases_are_read():
-    cases = sorted(Path(ROOT.parent / "shared" / "data").glob("case-*/machine.json"))
-    assert all(machine_json.load(p).declared_degree("EXX") == 3 for p in cases)
-    assert cases

@@ -4,15 +4,14 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import readings_csv
+from tests.simulator import make_case, write_case
 
-DATA = Path(__file__).resolve().parents[2].parent / "shared" / "data"
 HEAD = "x_mm,y_mm,z_mm"
 
 
@@ -329,31 +328,13 @@ def test_a_hundred_thousand_rows_in_a_few_seconds(tmp_path):
     assert peak < 1.0 * 2**30
 
 
-@pytest.mark.parametrize("case", "ABCDEF")
-def test_the_cases_with_a_known_answer_are_read_whole(case):
-    folder = DATA / f"case-{case}"
-    if not folder.is_dir():
-        pytest.skip("the cases are not on this machine")
-    raw = np.genfromtxt(folder / "measured.csv", delimiter=",", names=True)
-    readings = readings_csv.load(folder / "measured.csv")
+def test_a_simulated_session_is_read_whole(tmp_path):
+    case = make_case(2, "column_bend", 2)
+    write_case(tmp_path, case)
+    raw = np.genfromtxt(tmp_path / "measured.csv", delimiter=",", names=True)
+    readings = readings_csv.load(tmp_path / "measured.csv")
     assert np.allclose(readings.value.reshape(-1, 3)[:, 0], raw["ex_um"] * 1e-3, rtol=0, atol=1e-15)
     assert np.allclose(readings.columns["temp_column"], raw["temp_column_C"] - 20, rtol=0, atol=1e-12)
     assert np.array_equal(readings.columns["dir_y"], raw["dir_y"])
     assert not [f for f in readings.findings if f.severity != "info"]
-    assert readings_csv.load_positions(folder / "positions.csv").points == len(raw)
-
-
-def test_the_thermal_record_is_read_through_a_mapping():
-    path = DATA / "fl_thermal_60s.csv"
-    if not path.is_file():
-        pytest.skip("the thermal record is not on this machine")
-    mapping = {"t_s": "time_s", "x_mm": 0, "y_mm": 0, "z_mm": 0, "ez_um": "ch1_um"}
-    mapping |= {f"temp_t{i}_C": f"t{i}_degC" for i in range(1, 17)}
-    mapping["ignore"] = [f"ch{i}_um" for i in range(2, 6)]
-    readings = readings_csv.load(path, mapping)
-    assert readings.rows == readings.points == 2779
-    raw = np.genfromtxt(path, delimiter=",", names=True)
-    assert np.allclose(readings.value, raw["ch1_um"] * 1e-3, rtol=0, atol=1e-15)
-    assert np.allclose(readings.columns["temp_t9"], raw["t9_degC"] - 20, rtol=0, atol=1e-12)
-    assert {"t", "spindle", "temp_t1", "temp_t16"} <= set(readings.columns)
-    assert not any(name.startswith("ch") for name in readings.columns)
+    assert readings_csv.load_positions(tmp_path / "positions.csv").points == len(raw)

@@ -153,7 +153,6 @@ def test_text_from_outside_is_escaped_by_every_helper():
         assert NASTY in "".join(element.itertext()) + "".join(v for e in element.iter() for v in e.attrib.values())
 
 
-@pytest.mark.skipif(not charts.available(), reason="matplotlib is not installed")
 def test_charts_are_well_formed_whatever_they_hold():
     rng = np.random.default_rng(1)
     q, v = rng.normal(size=(40, 3)) * 100, rng.normal(size=(40, 3))
@@ -175,14 +174,12 @@ def test_charts_are_well_formed_whatever_they_hold():
     assert "b$_2$" in drawn[0]
 
 
-@pytest.mark.skipif(not charts.available(), reason="matplotlib is not installed")
 def test_a_long_name_leaves_the_chart_its_room(recwarn):
     svg = charts.bar_chart(["a long name of an effect " * 9], [0.1], [0.5], ["#3b82c4"])
     assert "…" in svg
     assert not [w for w in recwarn if "constrained_layout" in str(w.message)]
 
 
-@pytest.mark.skipif(not charts.available(), reason="matplotlib is not installed")
 def test_the_bars_are_as_long_as_the_numbers():
     svg = ElementTree.fromstring(charts.bar_chart(["a", "b"], [0.0, 0.0], [0.4, 0.1], ["#3b82c4", "#e0812b"]))
     lengths = []

@@ -21,7 +21,6 @@ from .support import ROOT, command
 MACHINE = ROOT / "resources" / "examples" / "vertical_machining_centre.json"
 BEND = 6.0  # urad per kelvin of the column
 NOISE = 0.3  # um, one reading
-pytestmark = pytest.mark.skipif(not MACHINE.exists(), reason="the example machines are not here")
 
 
 def readings_of(machine, folder: Path, seed: int) -> dict:

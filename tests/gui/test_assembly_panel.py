@@ -17,7 +17,7 @@ def test_greyed_without_an_assembly(machine):
     assert not active("Sens_MachineFromAssembly")
 
 
-@pytest.mark.skipif(not assemblies.available(), reason="FreeCAD without the Assembly workbench")
+@pytest.mark.needs("assembly")
 class TestAssembly:
     @pytest.fixture
     def assembly(self, doc, workbench):
