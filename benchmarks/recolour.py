@@ -143,7 +143,7 @@ def measure() -> None:
     """Time each kind of change and write the milliseconds as JSON."""
     import FreeCADGui as Gui
 
-    from sensworkbench.document import extract, tables
+    from sensworkbench.document import extract, factory, tables
     from sensworkbench.gui import colours
     from sensworkbench.gui.task_jog import TaskJog
 
@@ -176,7 +176,7 @@ def measure() -> None:
 
     def tolerance(i):
         doc.openTransaction("Tolerance")
-        tables.write_tolerances(machine, table | {"EAY": table["EAY"].scaled(0.5 if i % 2 == 0 else 1.0)})
+        factory.set_tolerances(machine, table | {"EAY": table["EAY"].scaled(0.5 if i % 2 == 0 else 1.0)})
         machine.touch()
         doc.recompute()
         doc.commitTransaction()

@@ -13,6 +13,7 @@ from ..core.refusal import Refused
 from . import joints
 from .base import kind_of
 from .paths import Place, _is_datum, _is_folder, leaves, place
+from .tree import lookup
 
 RIDING = ("Revolute", "Cylindrical", "Ball")  # hold a part on its carrier, whatever it turns by
 PARALLEL = 1e-6
@@ -139,8 +140,7 @@ class _Reader:
         return self.number(Place(outer.root, path))
 
     def number(self, where: Place) -> int | None:
-        key = where.key
-        return next((self.index[key[:n]] for n in range(len(key), 0, -1) if key[:n] in self.index), None)
+        return lookup(self.index, where.key)
 
     def reading(self) -> Reading:
         pairs = self._pairs()

@@ -40,13 +40,15 @@ def internal(kind: str, name: str, tip: str, value=None) -> Property:
 
 
 def plain(value):
-    """`value` with numpy arrays and numbers turned into lists and numbers that FreeCAD stores rightly."""
-    if hasattr(value, "tolist"):  # told by that: this module is loaded at every start, and numpy is not
+    """`value` with numpy arrays and numbers turned into lists and numbers, and mappings into dicts.
+
+    FreeCAD and json store these; numpy values FreeCAD stores wrongly, or refuses."""
+    if hasattr(value, "tolist"):  # not isinstance: this module is loaded at every start, and numpy is not
         return value.tolist()
     if isinstance(value, (list, tuple)):
         return type(value)(plain(v) for v in value)
-    if isinstance(value, dict):
-        return {k: plain(v) for k, v in value.items()}
+    if hasattr(value, "items"):
+        return {str(k): plain(v) for k, v in value.items()}
     return value
 
 

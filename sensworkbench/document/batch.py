@@ -28,10 +28,11 @@ from . import (
     tables,
 )
 from .archive import Contents, keep_view, read_contents
-from .base import kind_of, put
+from .base import kind_of, plain, put
 from .extract import core_machine, objective, positions
-from .factory import effects_of, machine_of, make_effect
+from .factory import make_effect, set_tolerances
 from .refresh import refresh
+from .tree import effects_of, machine_of
 
 
 @dataclass
@@ -169,7 +170,7 @@ def write_augmented(source, path_out, machine: Machine) -> Path:
         obj = opened.machine
         _take_model(obj, machine)
         obj.Declared = {symbol: str(int(degree)) for symbol, degree in machine.declared.items()}
-        put(obj, "Fitted", json.dumps(_json_ready(machine.fitted)) if machine.fitted else "")
+        put(obj, "Fitted", json.dumps(plain(machine.fitted)) if machine.fitted else "")
         for old in effects_of(obj):
             opened.document.removeObject(old.Name)
         for effect in machine.effects:
@@ -182,17 +183,7 @@ def _take_model(obj, machine: Machine) -> None:
     if obj.Squareness != machine.squareness:
         obj.Squareness = machine.squareness
     if dict(machine.tolerances) != tables.read_tolerances(obj):
-        tables.write_tolerances(obj, dict(machine.tolerances))
-
-
-def _json_ready(value):
-    from .base import plain
-
-    if hasattr(value, "items"):
-        return {str(k): _json_ready(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_json_ready(v) for v in value]
-    return plain(value)
+        set_tolerances(obj, dict(machine.tolerances))
 
 
 def save_copy(opened: Opened, path_out) -> Path:

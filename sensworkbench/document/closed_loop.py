@@ -11,8 +11,15 @@ import hashlib
 import json
 from pathlib import Path
 
-from ..core.refusal import Refused
-from .base import READ_ONLY, Property, SensObject, dress, internal, kind_of, members, put, result
+import FreeCAD as App
+
+from ..messages import Refused
+from .base import READ_ONLY, Property, SensObject, dress, internal, plain, put, result
+from .extract import core_machine
+from .factory import make_effect
+from .refresh import refresh
+from .staleness import same, trace_inputs
+from .tree import added_effects, owner_machine, readings_of, trace_of, traces_of  # noqa: F401 - see `tree`
 
 STAGES = ("uncorrected", "declared", "augmented")
 
@@ -142,7 +149,7 @@ def make_trace(machine, readings_obj, outcome, traced):
     names, matrix = outcome.covariance
     put(obj, "CovarianceNames", list(names))
     put(obj, "Covariance", matrix.ravel())
-    put(obj, "Basis", basis(traced))
+    put(obj, "Basis", trace_inputs(traced))
     put(obj, "Added", [])
     put(obj, "FittedBefore", "")
     put(obj, "Stale", False)
@@ -150,8 +157,6 @@ def make_trace(machine, readings_obj, outcome, traced):
 
 
 def _vectors(array) -> list:
-    import FreeCAD as App
-
     return [App.Vector(*row) for row in array.tolist()]
 
 
@@ -164,20 +169,6 @@ def summary(report) -> str:
         f"{e['component']} driven by {trace_report.driver_words(e['driver'])}: {e['name']}" for e in report["effects"]
     ]
     return f"{title}. {words}" + (f" Found: {'; '.join(found)}." if found else "")
-
-
-# -- finding -----------------------------------------------------------------------------------------------------------
-def readings_of(machine) -> list:
-    return members(machine, "Readings")
-
-
-def traces_of(machine) -> list:
-    return members(machine, "Trace")
-
-
-def trace_of(readings_obj):
-    """The trace of a Readings object, or None."""
-    return next((o for o in readings_obj.InList if kind_of(o) == "Trace" and o.Readings == readings_obj), None)
 
 
 def outcome_of(obj):
@@ -212,40 +203,9 @@ def augmented(obj):
     return machine_json.loads(obj.Augmented, obj.Label)
 
 
-# -- has the machine changed? ------------------------------------------------------------------------------------------
-def basis(core, without=()) -> str:
-    """Digest of all of a machine that a trace depends on, the effects named in `without` left out."""
-    arms = core.lever_arms([[0.0, 0.0, 0.0]])
-    words = [core.structure, core.squareness, sorted((s, int(d)) for s, d in core.declared.items())]
-    words += [
-        [e.name, e.component, e.driver, e.shape, dict(e.parameters)]
-        for e in core.effects
-        if e.enabled and e.name not in without
-    ]
-    values = [v for k in sorted(arms) for v in arms[k][0].tolist()]
-    for name, axis in sorted(core.axes.items()):
-        values += [*core.directions[name].tolist(), *axis.travel]
-    return json.dumps([words, values], sort_keys=True)
-
-
-def mark_stale(machine, core) -> None:
-    """Say of every trace of a machine whether the machine is still the one that was traced."""
-    from .refresh import same
-
-    for obj in traces_of(machine):
-        labels = {o.Label for o in added(obj)}
-        put(obj, "Stale", not same(obj.Basis, basis(core, labels)))
-
-
 # -- effects -----------------------------------------------------------------------------------------------------------
-def added(obj) -> list:
-    """The effect objects that were made from a trace and are still there."""
-    found = [obj.Document.getObject(name) for name in obj.Added]
-    return [o for o in found if o is not None and kind_of(o) == "Effect"]
-
-
 def can_add(obj) -> bool:
-    return bool(obj.Effects) and not obj.Stale and not added(obj)
+    return bool(obj.Effects) and not obj.Stale and not added_effects(obj)
 
 
 def add_effects(obj, names=None) -> list:
@@ -253,42 +213,27 @@ def add_effects(obj, names=None) -> list:
 
     Returns the effect objects.  They take part in the machine's error from then on.
     """
-    from .extract import core_machine
-    from .factory import make_effect, owner_machine
-    from .refresh import refresh, same
-
     machine = owner_machine(obj)
     wanted = [n for n in obj.Effects if names is None or n in names]
     if not wanted:
         raise Refused("no effect was found that could be added", obj.Label)
-    if added(obj):
+    if added_effects(obj):
         raise Refused("its effects were added already", obj.Label, "Remove them first.")
-    if not same(obj.Basis, basis(core_machine(machine))):
+    if not same(obj.Basis, trace_inputs(core_machine(machine))):
         raise Refused("the machine has changed since it was traced", obj.Label, "Trace again.")
     model = augmented(obj)
     made = [make_effect(machine, e) for e in model.effects if e.name in wanted]
     put(obj, "FittedBefore", machine.Fitted)
     put(obj, "Added", [o.Name for o in made])
-    put(machine, "Fitted", json.dumps(_plain({k: v for k, v in model.fitted.items() if k != "covariance"})))
+    put(machine, "Fitted", json.dumps(plain({k: v for k, v in model.fitted.items() if k != "covariance"})))
     refresh(machine)
     return made
 
 
-def _plain(value):
-    if hasattr(value, "items"):
-        return {str(k): _plain(v) for k, v in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [_plain(v) for v in value]
-    return value
-
-
 def remove_effects(obj) -> None:
     """Take the effects of a trace out of the machine again, and the fitted errors that came with them."""
-    from .factory import owner_machine
-    from .refresh import refresh
-
     machine = owner_machine(obj)
-    for effect in added(obj):
+    for effect in added_effects(obj):
         obj.Document.removeObject(effect.Name)
     put(machine, "Fitted", obj.FittedBefore)
     put(obj, "Added", [])

@@ -14,9 +14,9 @@ import FreeCAD as App
 from ..core.errors import AXES
 from ..core.refusal import Refused
 from . import joints
-from .extract import BODIES, check_chains, directions, displacement, parts_of, stands_at, survey
-from .factory import axis_of
+from .extract import check_chains, directions, displacement, stands_at, survey
 from .paths import Place
+from .tree import axis_of, lookup
 
 CLOSE = 1e-6  # mm
 
@@ -67,14 +67,14 @@ def _moves(machine, old, new) -> list[tuple]:
     """(object, shift in the coordinates that its Placement is written in) of all that has to move."""
     found = survey(machine)
     u, _ = directions(machine, check_chains(machine))
-    riders = [(where, body) for body in BODIES for where in parts_of(machine, body)]
+    riders = [(where, body) for body, parts in found.parts.items() for where in parts]
     riders += [(Place(source.root, source.path), body) for source, body in found.loose
                if not joints.is_joint(source.object)]  # fmt: skip
     known = {where.key: body for where, body in riders}
     moves = {}
     for where, body in riders:
-        inner = [known[where.key[:n]] for n in range(len(where.key) - 1, 0, -1) if where.key[:n] in known]
-        shift = _shift(machine, body, u, old, new) - (_shift(machine, inner[0], u, old, new) if inner else App.Vector())
+        inner = lookup(known, where.key[:-1]) or "F"
+        shift = _shift(machine, body, u, old, new) - _shift(machine, inner, u, old, new)
         if shift.Length == 0:
             continue
         link = next((o for o in where.chain[:-1] if o.isDerivedFrom("App::Link")), None)

@@ -17,80 +17,27 @@ from ..core import workspace
 from ..core.drivers import Effect
 from ..core.errors import AXES
 from ..core.machine import Axis, Machine
-from ..core.refusal import Refused
+from ..messages import Refused
 from . import geometry, joints
 from .base import kind_of, numbers
-from .factory import body_of, effects_of
-from .paths import Place, place, places
+from .paths import Place, place
 from .tables import read_tolerances
-
-BODIES = ("F", "X", "Y", "Z", "T", "W")
-
-
-# -- who is who ------------------------------------------------------------------------------------------------------
-def body_label(machine, body: str) -> str:
-    owner = machine if body == "F" else body_of(machine, body)
-    return f"bed of {machine.Label}" if body == "F" else owner.Label if owner else f"body {body}"
-
-
-def parts_of(machine, body: str) -> list[Place]:
-    """Where the parts of a body stand: "F" (bed), "X", "Y", "Z", "T" or "W"."""
-    if body == "F":
-        return places(machine.Bed)
-    owner = body_of(machine, body)
-    return places(owner.Parts) if owner else []
+from .tree import (  # noqa: F401 - finders, for callers that still ask here
+    all_parts,
+    bodies,
+    body_label,
+    effects_of,
+    lookup,
+    owner_of,
+    part_index,
+    parts_of,
+)
 
 
-def bodies(machine) -> dict[str, object]:
-    """Body X, Y, Z, T or W -> its axis or body object, for those that there are."""
-    found = {}
-    for obj in machine.Group:
-        kind = kind_of(obj)
-        if kind in ("Axis", "Body"):
-            found.setdefault(getattr(obj, kind), obj)
-    return found
-
-
-def all_parts(machine, owners=None) -> dict[str, list[Place]]:
-    """`parts_of` every body.  owners : what `bodies` found, where the caller has it."""
-    owners = bodies(machine) if owners is None else owners
-    links = {"F": machine.Bed} | {body: obj.Parts for body, obj in owners.items()}
-    return {body: places(links[body]) if body in links else [] for body in BODIES}
-
-
-def part_index(machine, parts=None) -> dict[tuple, str]:
-    """Occurrence of a part -> its body; refuses a part that is named in two bodies.
-
-    parts : what `all_parts` found, where the caller has it; so in the functions below.
-    """
-    index = {}
-    for body, group in (all_parts(machine) if parts is None else parts).items():
-        for where in group:
-            other = index.setdefault(where.key, body)
-            if other != body:
-                raise Refused(
-                    f"{where.label!r} belongs to {body_label(machine, other)} and to {body_label(machine, body)}",
-                    machine.Label,
-                    "A part moves with one body: take it out of the other.",
-                )
-    return index
-
-
-def _owner(index, key) -> str | None:
-    for n in range(len(key), 0, -1):
-        if key[:n] in index:
-            return index[key[:n]]
-    return None
-
-
-def owner_of(machine, obj, sub: str = "") -> str | None:
-    """The body that a picked object (with the path of the selection) belongs to, or None."""
-    return _owner(part_index(machine), place((obj, sub)).key)
-
-
+# -- who carries what ------------------------------------------------------------------------------------------------
 def source_owner(index, source: Place) -> str | None:
     """The body that carries a source, directly or through what it is attached to; None: it stands by itself."""
-    body = _owner(index, source.key)
+    body = lookup(index, source.key)
     if body is not None:
         return body
     obj = source.object
@@ -157,7 +104,7 @@ def check_nesting(machine, index, parts=None) -> None:
     """Refuse a part inside the container of a body that does not carry it."""
     for body, group in (all_parts(machine) if parts is None else parts).items():
         for where in group:
-            holder = _owner(index, where.key[:-1])
+            holder = lookup(index, where.key[:-1])
             if holder is None or holder == body:
                 continue
             carriers = ["F", *upstream(machine, body)[1]] + ([body] if body in "TW" else [])

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Functions that make the document objects; scripts, tests, commands and batch runs all use these.
 
-Each returns the object, works without a window, and opens no transaction (a command does that around it).
+Each returns the object, works without a window, and opens no transaction (a command does that around it).  What finds
+objects is in `tree`.
 """
 
 from __future__ import annotations
@@ -10,13 +11,24 @@ import json
 
 from ..core.drivers import SHAPES, Effect
 from ..core.errors import AXES, component
-from ..core.refusal import Refused
+from ..messages import Refused
 from . import objects
-from .base import dress, kind_of, members, put
+from .base import dress, put
 from .paths import as_links, as_sub
-
-GROUP, FEATURE = "App::DocumentObjectGroupPython", "App::FeaturePython"
-BODY_LABELS = {"T": "Spindle and tool", "W": "Workpiece and fixture"}
+from .tables import write_tolerances
+from .tree import (  # noqa: F401 - finders, for callers that still ask here
+    BODY_LABELS,
+    FEATURE,
+    GROUP,
+    axis_of,
+    body_of,
+    effects_of,
+    machine_of,
+    machines,
+    owner_machine,
+    sensitivity_of,
+    tolerances_of,
+)
 
 
 def _new(doc, kind: str, proxy, name: str, label: str | None):
@@ -87,12 +99,15 @@ def make_body(machine, name, parts=(), *, reference=None, reference_at="Automati
 
 def make_tolerances(machine):
     """The tolerance table, filled with the paper's values."""
-    from .tables import write_tolerances
-
     table = _new(machine.Document, FEATURE, objects.TolerancesObject, "Tolerances", None)
     machine.addObject(table)
-    write_tolerances(machine, {})
+    write_tolerances(table, {})
     return table
+
+
+def set_tolerances(machine, tolerances, units=None) -> None:
+    """`tables.write_tolerances` to the machine's table, made where there is none."""
+    write_tolerances(tolerances_of(machine) or make_tolerances(machine), tolerances, units)
 
 
 def make_sensitivity(machine, label="Sensitivity"):
@@ -118,52 +133,3 @@ def make_effect(machine, effect: Effect):
     obj.Enabled = bool(effect.enabled)
     owner.addObject(obj)
     return obj
-
-
-# -- finding ---------------------------------------------------------------------------------------------------------
-def machines(doc) -> list:
-    return [o for o in doc.Objects if kind_of(o) == "Machine"]
-
-
-def machine_of(doc):
-    """The machine of a document; refuses when there is none, or several."""
-    found = machines(doc)
-    if len(found) != 1:
-        what = "the document holds no machine" if not found else "the document holds several machines: " + ", ".join(
-            o.Label for o in found)  # fmt: skip
-        do = "Make one with Machine from Selection." if not found else "Keep one, or select the one that is meant."
-        raise Refused(what, doc.Label, do)
-    return found[0]
-
-
-def axis_of(machine, name: str):
-    return next((o for o in members(machine, "Axis") if o.Axis == name), None)
-
-
-def body_of(machine, name: str):
-    """The object of body X, Y, Z, T or W, or None."""
-    return axis_of(machine, name) or next((o for o in members(machine, "Body") if o.Body == name), None)
-
-
-def tolerances_of(machine):
-    return next(iter(members(machine, "Tolerances")), None)
-
-
-def sensitivity_of(machine):
-    """The newest result object, or None."""
-    return next(iter(reversed(members(machine, "Sensitivity"))), None)
-
-
-def effects_of(machine) -> list:
-    owners = members(machine, "Axis") + members(machine, "Body")
-    return [e for o in owners for e in members(o, "Effect")] + members(machine, "Effect")
-
-
-def owner_machine(obj):
-    """The machine that an axis, body, table, result or effect belongs to, or None."""
-    for parent in obj.InList:
-        if kind_of(parent) == "Machine":
-            return parent
-        if kind_of(parent) in ("Axis", "Body"):
-            return owner_machine(parent)
-    return None

@@ -14,9 +14,9 @@ import FreeCAD as App
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from .extract import BODIES, check_chains, displacement, survey
-from .factory import owner_machine
+from .extract import check_chains, displacement, survey
 from .paths import Place
+from .tree import lookup, owner_machine
 
 CLOSE = 1e-7  # mm: a part this close to where jogging left it has not been moved by hand
 
@@ -90,7 +90,7 @@ class _Step:
 
 def _steps(machine, found, old, new) -> list[_Step]:
     riders = [(where, body) for body, parts in found.parts.items() for where in parts]
-    shifts = {body: [displacement(machine, body, found.directions, q) for q in (old, new)] for body in BODIES}
+    shifts = {body: [displacement(machine, body, found.directions, q) for q in (old, new)] for body in found.parts}
     known = dict(found.index)
     for source, body in found.loose:
         whole = Place(source.root, source.path)
@@ -104,7 +104,7 @@ def _steps(machine, found, old, new) -> list[_Step]:
         riders.append((whole, body))
     steps = {}
     for where, body in riders:
-        carrier = next((known[where.key[:n]] for n in range(len(where.key) - 1, 0, -1) if where.key[:n] in known), "F")
+        carrier = lookup(known, where.key[:-1]) or "F"
         if body == carrier:
             continue
         turn = where.parent_placement.Rotation.inverted()

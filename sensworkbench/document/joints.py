@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from ..core.errors import AXES
 from ..core.refusal import Refused
-from .base import members
 from .paths import Place, _is_folder, place
 
 SLIDER = "Slider"
@@ -142,19 +140,3 @@ def position(machine, axis, parts: list[Place]) -> float | None:
     if axis.Axis in list(machine.WorkpieceChain):
         sense = -sense
     return sense * distance(where) + 0.0
-
-
-def follow(machine) -> None:
-    """Take over where the solver or a drag has put the carriages that sliders hold."""
-    from .extract import parts_of
-
-    for axis in members(machine, "Axis"):
-        if axis.Axis not in AXES:
-            continue
-        stands = position(machine, axis, parts_of(machine, axis.Axis))
-        if stands is None:
-            continue
-        if abs(stands - axis.StandsAt) > 1e-9 or axis.Position.Value != axis.StandsAt:
-            axis.StandsAt = stands
-            axis.Position = stands
-            axis.purgeTouched()

@@ -6,18 +6,14 @@ Only output properties are written, so a recompute never causes another one; pla
 
 from __future__ import annotations
 
-import json
-import math
-
 from ..core.errors import AXES, BODIES
 from ..core.machine import Machine
 from ..core.refusal import Refused
-from . import closed_loop
-from .base import members, numbers, put
+from .base import members, put
 from .extract import Survey, survey
-from .joints import follow
-
-TOLERANCE = 1e-6  # mm, and relative: below this nothing has changed
+from .joints import position
+from .staleness import TOLERANCE, mark_results, mark_traces, result_inputs
+from .tree import parts_of
 
 
 def refresh(machine, seen: Survey | None = None) -> Survey | None:
@@ -31,7 +27,7 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
         _check_positions(machine, found.owners)
     except Refused as error:
         put(machine, "Problem", error.message)
-        _mark_stale(machine, "")
+        mark_results(machine, "")
         return None
     core = found.core
     put(machine, "Problem", "")
@@ -53,10 +49,10 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
         if body in AXES:
             put(obj, "Direction", core.axes[body].direction)
             put(obj, "DirectionFrom", found.direction_from[body])
-    digest = fingerprint(machine, core)
-    put(machine, "Fingerprint", digest)
-    _mark_stale(machine, digest)
-    closed_loop.mark_stale(machine, core)
+    inputs = result_inputs(machine, core)
+    put(machine, "Fingerprint", inputs)
+    mark_results(machine, inputs)
+    mark_traces(machine, core)
     return found
 
 
@@ -84,37 +80,13 @@ def _check_positions(machine, owners):
             )
 
 
-def _mark_stale(machine, digest: str):
-    for result in members(machine, "Sensitivity"):
-        put(result, "Stale", not same(result.Fingerprint, digest))
-
-
-# -- fingerprint -----------------------------------------------------------------------------------------------------
-def fingerprint(machine, core: Machine) -> str:
-    """JSON of all that the indices depend on, in the machine's own frame: moving or turning it all changes nothing."""
-    arms = core.lever_arms([[0.0, 0.0, 0.0]])
-    words = [core.structure, core.squareness, machine.Output, bool(machine.Signed), machine.Aggregate]
-    values = [*numbers(machine.Weights), *(v for b in BODIES for v in arms[b][0].tolist())]
-    for name in AXES:
-        values += [*core.directions[name].tolist(), *core.axes[name].travel]
-    values += {"quadrature": [machine.Order], "grid": [machine.Grid], "at": numbers(machine.At)}[machine.Aggregate]
-    for symbol, t in core.all_tolerances.items():
-        words += [symbol, t.distribution]
-        values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
-    for effect in core.effects:
-        if effect.enabled:
-            words.append([effect.name, effect.component, effect.driver, effect.shape, dict(effect.parameters)])
-    return json.dumps([words, values], sort_keys=True)
-
-
-def same(one: str, other: str) -> bool:
-    """Whether two fingerprints describe the same machine, rounding apart."""
-    if not one or not other:
-        return False
-    (words, values), (words_, values_) = json.loads(one), json.loads(other)
-    return (
-        words == words_
-        and len(values) == len(values_)
-        and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-9 if abs(a) < 1e-3 else TOLERANCE)
-                for a, b in zip(values, values_))
-    )  # fmt: skip
+def follow(machine) -> None:
+    """Take over where the solver or a drag has put the carriages that sliders hold."""
+    for axis in members(machine, "Axis"):
+        stands = position(machine, axis, parts_of(machine, axis.Axis))
+        if stands is None:
+            continue
+        if abs(stands - axis.StandsAt) > 1e-9 or axis.Position.Value != axis.StandsAt:
+            axis.StandsAt = stands
+            axis.Position = stands
+            axis.purgeTouched()

@@ -14,9 +14,10 @@ from ..core.errors import AXES, component
 from ..core.refusal import Refused
 from . import closed_loop, objects, tables
 from .base import SensObject, alive, dress, kind_of, members, put
-from .factory import BODY_LABELS, body_of, machines, owner_machine, tolerances_of
+from .factory import make_tolerances
 from .paths import place, places
 from .refresh import refresh
+from .tree import BODY_LABELS, body_of, machines, owner_machine, tolerances_of
 
 CLASSES = {
     c.kind: c
@@ -73,7 +74,7 @@ def repair(doc) -> list[Finding]:
             _mend(finding.obj)
     for machine in machines(doc):
         if tolerances_of(machine) is None:
-            tables.write_tolerances(machine, {})
+            make_tolerances(machine)
         refresh(machine)
     doc.recompute()
     return found
@@ -235,4 +236,4 @@ def _mend_table(obj) -> None:
         put(obj, name, [row[k] for row in rows])
     machine = owner_machine(obj)
     if machine is not None:
-        tables.write_tolerances(machine, tables.read_tolerances(machine))
+        tables.write_tolerances(obj, tables.read_tolerances(machine))

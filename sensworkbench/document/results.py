@@ -10,9 +10,11 @@ from ..core.errors import component
 from ..core.machine import Machine
 from .base import numbers, put
 from .extract import Survey, core_machine, objective, positions, survey
-from .factory import make_sensitivity, sensitivity_of
-from .refresh import fingerprint, refresh
+from .factory import make_sensitivity
+from .refresh import refresh
+from .staleness import result_inputs
 from .tables import read_units
+from .tree import sensitivity_of
 
 PER_ERROR = {
     "First": "first", "Total": "total", "TotalMax": "total_max", "FirstWeighted": "first_vw",
@@ -72,7 +74,7 @@ def store(machine, found: workspace.Sensitivity, core: Machine, seen: Survey | N
     put(obj, "Upper", [t.upper for t in laws])
     put(obj, "Units", [units.get(label) or component(c).unit for label, c in zip(labels, columns)])
     put(obj, "Distributions", [t.distribution for t in laws])
-    put(obj, "Fingerprint", fingerprint(machine, core))
+    put(obj, "Fingerprint", result_inputs(machine, core))
     put(obj, "Stale", False)
     refresh(machine, seen)
     return obj

@@ -5,22 +5,17 @@ from __future__ import annotations
 
 from ..core.distributions import Tolerance, with_defaults
 from ..core.errors import component
-from ..core.refusal import Refused
 from ..core.units import factor
+from ..messages import Refused
 from .base import put
+from .tree import tolerances_of
 
 COLUMNS = ("Symbols", "Lower", "Upper", "Units", "Distributions", "Sigmas")
 
 
-def _table(machine):
-    from .factory import tolerances_of
-
-    return tolerances_of(machine)
-
-
 def read_tolerances(machine) -> dict[str, Tolerance]:
     """symbol -> Tolerance as stored; empty without a table.  Refuses a damaged table."""
-    table = _table(machine)
+    table = tolerances_of(machine)
     if table is None:
         return {}
     columns = [list(getattr(table, name)) for name in COLUMNS]
@@ -38,20 +33,24 @@ def read_tolerances(machine) -> dict[str, Tolerance]:
 
 def read_units(machine) -> dict[str, str]:
     """symbol -> unit in which the limits are shown."""
-    table = _table(machine)
+    return _units(tolerances_of(machine))
+
+
+def _units(table) -> dict[str, str]:
     return dict(zip(table.Symbols, table.Units)) if table else {}
 
 
-def write_tolerances(machine, tolerances: dict[str, Tolerance], units: dict[str, str] | None = None) -> None:
-    """Store `tolerances` (the errors that are not given take the paper's); units default to those already shown."""
-    from .factory import make_tolerances
+def write_tolerances(table, tolerances: dict[str, Tolerance], units: dict[str, str] | None = None) -> None:
+    """Store `tolerances` in a Tolerances object.
 
-    units = {**read_units(machine), **(units or {})}
+    Errors that are not given take the paper's limits.  units : symbol -> unit in which an error is shown; default: the
+    unit that the table has already, else um or urad.
+    """
+    units = {**_units(table), **(units or {})}
     full = with_defaults({component(s).symbol: t for s, t in tolerances.items()})
     shown = [units.get(s) or component(s).unit for s in full]
     for symbol, unit in zip(full, shown):
         factor(unit, angular=component(symbol).angular, where=symbol)
-    table = _table(machine) or make_tolerances(machine)
     put(table, "Symbols", list(full))
     put(table, "Lower", [t.lower for t in full.values()])
     put(table, "Upper", [t.upper for t in full.values()])

@@ -10,7 +10,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from ..core.refusal import Refused
-from ..document import extract, factory, refresh
+from ..document import factory, refresh, tree
 from ..document.base import alive, kind_of
 from . import colours, display
 from .qt import later
@@ -39,9 +39,9 @@ def adopt(doc) -> None:
 def _bring_up(machine) -> None:
     doc = machine.Document
     shown = set()
-    for body in colours.BODIES:
+    for body in (tree.BED, *tree.bodies(machine)):
         try:
-            parts = extract.parts_of(machine, body)
+            parts = tree.parts_of(machine, body)
         except Refused:
             continue
         for where in parts:

@@ -14,10 +14,9 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
-from ..document import extract, paths
+from ..document import paths, tree
 from .colormap import NO_DATA, Scale
 
-BODIES = ("F", "X", "Y", "Z", "T", "W")
 _MATERIAL = ("AmbientColor", "DiffuseColor", "EmissiveColor", "SpecularColor")
 
 
@@ -49,19 +48,19 @@ def _target(leaf: paths.Place) -> Target:
 
 
 def targets(machine) -> dict[str, list[Target]]:
-    """Body ("F" the bed, X, Y, Z, T, W) -> what to colour for it.  Parts of other documents are left alone.
+    """Body ("F" the bed, joints, T, W) -> what to colour for it.  Parts of other documents are left alone.
 
     A link behind which everything belongs to one body is coloured as a whole, otherwise part by part.
     """
-    parts = extract.all_parts(machine)
-    index = extract.part_index(machine, parts)
-    found: dict[str, dict[str, Target]] = {b: {} for b in BODIES}
+    parts = tree.all_parts(machine)
+    index = tree.part_index(machine, parts)
+    found: dict[str, dict[str, Target]] = {b: {} for b in parts}
     owners: dict[str, set] = {}
     seen = []
     for group in parts.values():
         for where in group:
             for leaf in paths.leaves(where):
-                owner = _owner(index, leaf.key)
+                owner = tree.lookup(index, leaf.key)
                 target = _target(leaf)
                 if owner is None or target.obj.Document != machine.Document:
                     continue
@@ -72,10 +71,6 @@ def targets(machine) -> dict[str, list[Target]]:
         target = Target(target.obj) if whole else target
         found[owner][target.key] = target
     return {b: list(t.values()) for b, t in found.items()}
-
-
-def _owner(index, key):
-    return next((index[key[:n]] for n in range(len(key), 0, -1) if key[:n] in index), None)
 
 
 # -- one object ------------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from ..core.distributions import DISTRIBUTIONS, Tolerance, paper_tolerance, with
 from ..core.errors import BODIES, COMPONENTS, component
 from ..core.refusal import Refused
 from ..core.units import parse, shown
-from ..document import tables
+from ..document import factory, tables
 from ..formats import tolerances as files
 from . import messages, settings
 from .panel import show as show_panel
@@ -344,7 +344,7 @@ class TaskTolerances:
         machine = self.machine
 
         def write():
-            tables.write_tolerances(machine, tolerances, units)
+            factory.set_tolerances(machine, tolerances, units)
             machine.touch()
 
         if not messages.change(machine.Document, translate("Sens", "Tolerances"), write):

@@ -12,6 +12,7 @@ import FreeCAD as App
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
 from ..document import closed_loop, extract, factory
+from ..document.tree import added_effects
 from . import messages, residuals, trace_pages
 from .live import Task
 from .panel import show as show_panel
@@ -217,7 +218,7 @@ class TaskTrace:
             return
         self.form.setEnabled(True)
         busy, trace = self.task is not None, self.trace
-        made = closed_loop.added(trace) if trace is not None else []
+        made = added_effects(trace) if trace is not None else []
         self.run.setEnabled(not busy)
         self.stop.setEnabled(busy)
         self.progress.setVisible(busy)
@@ -266,7 +267,7 @@ class TaskTrace:
     # -- what the buttons do -----------------------------------------------------------------------------------------
     def add_or_remove(self) -> None:
         trace = self.trace
-        if closed_loop.added(trace):
+        if added_effects(trace):
             messages.change(
                 self.machine.Document, translate("Sens", "Remove effects"), lambda: closed_loop.remove_effects(trace)
             )

@@ -288,7 +288,7 @@ class WhatIf(QtGui.QWidget):
 
         def change():
             known = set(tables.read_tolerances(machine)) | set(self.changes)
-            tables.write_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
+            factory.set_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
             machine.Weights = App.Vector(*objective.weights)
             for name, offset in self.moved.items():
                 factory.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)

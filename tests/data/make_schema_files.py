@@ -22,7 +22,7 @@ import FreeCAD as App  # noqa: E402
 from sensworkbench.closedloop.trace import trace  # noqa: E402
 from sensworkbench.core import distributions  # noqa: E402
 from sensworkbench.core.drivers import Effect  # noqa: E402
-from sensworkbench.document import closed_loop, extract, factory, jog, results, tables  # noqa: E402
+from sensworkbench.document import closed_loop, extract, factory, jog, results  # noqa: E402
 from sensworkbench.document.base import kind_of  # noqa: E402
 from sensworkbench.formats import readings_csv  # noqa: E402
 from tests.document import simulated  # noqa: E402
@@ -47,7 +47,7 @@ def full_machine(doc):
     parameters = {"coefficient": {"value": 2.5, "unit": "urad/K", "u": 0.1}}
     factory.make_effect(machine, Effect("column tilts with temperature", "EAZ", "temp_column", "linear", parameters))
     given = {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}
-    tables.write_tolerances(machine, given, {"EAX": "arcsec"})
+    factory.set_tolerances(machine, given, {"EAX": "arcsec"})
     machine.Declared = {"EXX": "5"}
     machine.Extra = json.dumps({"x-maker": "someone"})
     machine.Squareness = "carried"

@@ -17,7 +17,7 @@ from sensworkbench.closedloop.declared import declared_fit, fit_summary
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import closed_loop, extract, factory, results
+from sensworkbench.document import closed_loop, extract, factory, results, tree
 from sensworkbench.document.examples import make_example
 from sensworkbench.formats import readings_csv, trace_run
 
@@ -65,7 +65,7 @@ def test_readings_are_kept_as_they_were_imported(machine, measured, tmp_path):
     opened = again(machine.Document, tmp_path / "kept.FCStd")
     try:
         found = opened.getObject(table.Name)
-        assert closed_loop.readings_of(factory.machine_of(opened)) == [found]
+        assert tree.readings_of(factory.machine_of(opened)) == [found]
         assert (found.Source, found.Points, found.Rows, found.Digest) == ("measured.csv", 160, 480, digest)
         assert "temp_column (K)" in found.Columns
         assert any("derived" in f for f in found.Findings)
@@ -82,7 +82,7 @@ def test_a_foreign_table_is_read_by_its_mapping(machine, tmp_path):
     mapping = dict(zip(simulated.NAMES, names)) | {"header": {"sign": "compensation"}}
     with pytest.raises(Refused, match="x_mm is missing"):
         closed_loop.make_readings(machine, path)
-    assert not closed_loop.readings_of(machine)
+    assert not tree.readings_of(machine)
     table = closed_loop.make_readings(machine, path, mapping)
     plain = simulated.write(tmp_path / "plain.csv", rows * np.r_[np.ones(6), -np.ones(3)])
     np.testing.assert_allclose(closed_loop.read(table).value, readings_csv.load(plain).value)
@@ -166,10 +166,10 @@ def test_undo_takes_the_effects_and_the_fit_back(machine, traced):
     doc.recompute()
     doc.commitTransaction()
     doc.undo()
-    assert not factory.effects_of(machine) and machine.Fitted == fitted and not closed_loop.added(traced[1])
+    assert not factory.effects_of(machine) and machine.Fitted == fitted and not tree.added_effects(traced[1])
     doc.redo()
     assert [e.Component for e in factory.effects_of(machine)] == ["EAZ"]
-    assert closed_loop.added(traced[1]) == factory.effects_of(machine)
+    assert tree.added_effects(traced[1]) == factory.effects_of(machine)
 
 
 def test_the_document_predicts_as_the_augmented_machine_does(machine, traced):

@@ -27,7 +27,7 @@ PROXIES = [c for c in vars(objects).values() if isinstance(c, type) and issubcla
 def everything(doc):
     machine = golden_machine(doc, "YFXZ")
     factory.make_effect(machine, EFFECT)
-    tables.write_tolerances(machine, {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}, {"EAX": "arcsec"})
+    factory.set_tolerances(machine, {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}, {"EAX": "arcsec"})
     machine.Declared = {"EXX": "5"}
     machine.Extra = json.dumps({"x-maker": "someone"})
     results.compute(machine)
@@ -138,13 +138,13 @@ def test_tolerances_come_back_as_given_with_their_units(doc):
         "EXX": distributions.Tolerance(-1e-3, 3e-3, "triangular"),
         "ECW": distributions.Tolerance(-5e-6, 5e-6, "truncated_normal", 2e-6),
     }
-    tables.write_tolerances(machine, given, {"ECW": "arcsec"})
+    factory.set_tolerances(machine, given, {"ECW": "arcsec"})
     found = tables.read_tolerances(machine)
     assert found["EXX"] == given["EXX"] and found["ECW"] == given["ECW"]
     assert found["EAX"] == distributions.paper_tolerance("EAX")
     assert tables.read_units(machine)["ECW"] == "arcsec" and tables.read_units(machine)["EXX"] == "um"
     with pytest.raises(Refused):
-        tables.write_tolerances(machine, given, {"EXX": "arcsec"})
+        factory.set_tolerances(machine, given, {"EXX": "arcsec"})
 
 
 def test_a_damaged_table_is_refused_by_name(doc):

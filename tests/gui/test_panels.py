@@ -409,7 +409,7 @@ def test_a_changed_tolerance_recolours_at_once(machine, machine_doc):
     old = list(result.ComponentTotal)
     found = tables.read_tolerances(machine)
     machine_doc.openTransaction("edit")
-    tables.write_tolerances(machine, found | {s: t.scaled(0.1) for s, t in found.items() if s in ("EAY", "EBY", "ECY")})
+    factory.set_tolerances(machine, found | {s: t.scaled(0.1) for s, t in found.items() if s in ("EAY", "EBY", "ECY")})
     machine.touch()
     machine_doc.recompute()
     machine_doc.commitTransaction()

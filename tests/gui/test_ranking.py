@@ -15,7 +15,7 @@ from .conftest import run
 def widen(machine, **factors):
     """Other tolerances, computed and shown."""
     table = tables.read_tolerances(machine)
-    tables.write_tolerances(machine, table | {s: table[s].scaled(f) for s, f in factors.items()})
+    factory.set_tolerances(machine, table | {s: table[s].scaled(f) for s, f in factors.items()})
     machine.touch()
     machine.Document.recompute()
     pump(60)
