@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core.shapes import bump_features
 from .bank import Shape
 from .scan import Rows
 
@@ -39,18 +40,6 @@ class Surface:
         """As a shape that the tracer can fit and the machine can store."""
         parameters = {"bumps": self.bumps, "domains": self.domains, "mix": self.mix}
         return Shape("*".join(self.columns), "smooth", parameters, self.mix.shape[1])
-
-
-def bump_features(columns, names, bumps, domains) -> np.ndarray:
-    """(P, product of bumps) Gaussian bumps; a column beyond its domain is held at the edge."""
-    out = None
-    for name, count, (low, high) in zip(names, bumps, domains, strict=True):
-        x = np.clip((np.asarray(columns[name], dtype=float) - low) / (high - low), 0.0, 1.0)
-        centres = np.linspace(0, 1, count)
-        width = 1.0 / max(count - 1, 1)
-        table = np.exp(-0.5 * ((x[:, None] - centres) / width) ** 2)
-        out = table if out is None else (out[:, :, None] * table[:, None, :]).reshape(len(x), -1)
-    return out
 
 
 def _fit(rows: Rows, component: int, features):

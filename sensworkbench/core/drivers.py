@@ -8,15 +8,17 @@ Rows are in time order wherever a shape has memory.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from .driver import Driver
 from .refusal import Refused
+from .shapes import SHAPES as SHAPES
+from .shapes import Regressor, hysteresis, lag, legendre, shape_class, to_domain
 
-SHAPES = ("linear", "polynomial", "reversal", "periodic", "approach", "step", "lag", "power", "hysteresis", "smooth")
+__all__ = ["Effect", "hysteresis", "lag", "legendre", "to_domain"]
 
 
 @dataclass(frozen=True)
@@ -65,72 +67,15 @@ def driver_values(driver: str, columns: Mapping[str, np.ndarray], where: str = "
     return np.asarray(value, dtype=float)
 
 
-def to_domain(v, domain) -> np.ndarray:
-    """Map [lo, hi] to [-1, 1]."""
-    low, high = domain
-    return (2 * np.asarray(v, dtype=float) - low - high) / (high - low)
-
-
-def legendre(v, degree: int, domain, start: int = 1) -> np.ndarray:
-    """(P, degree - start + 1) Legendre P_start .. P_degree of v mapped from `domain` to [-1, 1]."""
-    return np.polynomial.legendre.legvander(to_domain(v, domain), degree)[:, start:]
-
-
-def lag(v, t, tau: float, state0: float = 0.0) -> np.ndarray:
-    """First-order lag y' = (v - y)/tau, rows in time order, v held over each interval at its end value.
-
-    v, t : (P,).  y = state0 at the first row.  A row whose time does not advance keeps the state.
-    """
-    v, t = np.asarray(v, dtype=float), np.asarray(t, dtype=float)
-    keep = np.exp(-np.maximum(np.diff(t), 0.0) / tau)
-    y = np.empty_like(v)
-    state = float(state0)
-    y[0] = state
-    for i, k in enumerate(keep.tolist(), start=1):
-        state = v[i] + (state - v[i]) * k
-        y[i] = state
-    return y
-
-
-def hysteresis(v, width: float) -> np.ndarray:
-    """Play (backlash) operator of half-width `width` on v, minus v: what a drive with friction loses, in units of v.
-
-    The output starts at 0 and follows v with play; the difference saturates at +-width after each reversal.
-    """
-    v = np.asarray(v, dtype=float)
-    y = np.empty_like(v)
-    state = v[0]
-    for i, x in enumerate(v.tolist()):
-        state = min(max(state, x - width), x + width)
-        y[i] = x - state
-    return y
-
-
 def shape_basis(effect: Effect, columns: Mapping[str, np.ndarray], where: str = "") -> np.ndarray:
     """(P, m) the columns that an effect's coefficients multiply, before lever arms."""
     where = where or f"effect {effect.name!r}"
-    v = driver_values(effect.driver, columns, where)
-    shape = effect.shape
-    if shape in ("linear", "reversal"):
-        return v[:, None]
-    if shape == "polynomial":
-        degree = int(effect.parameter("degree", len(np.atleast_1d(effect.parameter("coefficient", [0.0])))))
-        return legendre(v, degree, effect.parameter("domain"))
-    if shape == "periodic":
-        phase = 2 * math.pi * v / effect.parameter("period")
-        return np.column_stack([np.sin(phase), np.cos(phase)])
-    if shape == "approach":
-        return (1 - np.exp(-v / effect.parameter("tau")))[:, None]
-    if shape == "step":
-        return (v > effect.parameter("at")).astype(float)[:, None]
-    if shape == "lag":
-        t = driver_values("t", columns, where)
-        return lag(v, t, effect.parameter("tau"), effect.parameter("state0", 0.0))[:, None]
-    if shape == "power":
-        return (np.sign(v) * np.abs(v) ** effect.parameter("exponent"))[:, None]
-    if shape == "hysteresis":
-        return hysteresis(v, effect.parameter("width"))[:, None]
-    raise Refused(f"unknown shape {shape!r}", where, f"Use one of {', '.join(SHAPES)}.")
+    kept = {k: v["value"] if isinstance(v, Mapping) else v for k, v in effect.parameters.items()}
+    shape = shape_class(effect.shape, where)
+    if "degree" in shape.parameters:
+        kept.setdefault("degree", len(np.atleast_1d(effect.parameter("coefficient", [0.0]))))
+    regressor = Regressor(Driver.parse(effect.driver), shape(**{k: kept[k] for k in shape.parameters if k in kept}))
+    return regressor.vectors(columns, where)
 
 
 def effect_values(effect: Effect, columns: Mapping[str, np.ndarray], where: str = "") -> np.ndarray:

@@ -205,7 +205,7 @@ class EffectObject(SensObject):
     """One component with a driver that the declared model lacks; takes part in Omega while it is enabled."""
 
     kind = "Effect"
-    choices = {"Shape": SHAPES}
+    choices = {"Shape": tuple(SHAPES)}
     properties = (
         Property("String", "Component", "Effect", "ISO 230-1 name of the error component"),
         Property("String", "Driver", "Effect", "Column that drives it; a product is joined by *"),

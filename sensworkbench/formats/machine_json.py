@@ -260,7 +260,7 @@ def _effects(place: Place) -> tuple[Effect, ...]:
                 name=name,
                 component=component(entry["component"].string(), entry["component"].where).symbol,
                 driver=driver,
-                shape=entry["shape"].string(SHAPES),
+                shape=entry["shape"].string(tuple(SHAPES)),
                 parameters=parameters.value,
                 enabled=entry["enabled"].boolean() if "enabled" in entry else True,
             )

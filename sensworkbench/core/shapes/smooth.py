@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The smooth free form: it locates and predicts what no shape explains, and never names it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...messages import Message
+from ..parameters import Intervals, Wholes
+from ..refusal import Refused
+from .base import Shape, register
+from .functions import bump_features
+
+MOST_BUMPS = 2000  # features of one form; the search stays far below
+
+
+@register
+class Smooth(Shape):
+    """Gaussian bumps on a grid over the columns of the driver, not over their product; held beyond `domains`
+
+    mix : (product of bumps, m) combinations that readings determine, while it is fitted; None: all bumps.
+    """
+
+    name, title = "smooth", Message("shape-smooth")
+    free = tabulable = True
+    scanned = False
+    bumps = Wholes(least=1, most=200)
+    domains = Intervals()
+
+    def __init__(self, mix=None, **values):
+        super().__init__(**values)
+        self.mix = mix
+        count = int(np.prod(self.bumps, dtype=float))
+        if not 1 <= count <= MOST_BUMPS:
+            raise Refused("smooth-bumps", count=count, most=MOST_BUMPS)
+        if len(self.bumps) != len(self.domains):
+            raise Refused("smooth-columns", bumps=len(self.bumps), domains=len(self.domains))
+
+    def __eq__(self, other) -> bool:
+        return super().__eq__(other) and np.array_equal(self.mix, other.mix)
+
+    __hash__ = Shape.__hash__
+
+    @property
+    def size(self) -> int:
+        return int(np.prod(self.bumps)) if self.mix is None else self.mix.shape[1]
+
+    def vectors(self, driver, columns, where=""):
+        driver.values(columns, where)
+        if len(driver.columns) != len(self.bumps):
+            raise Refused("smooth-columns", where, bumps=len(self.bumps), domains=len(driver.columns))
+        features = bump_features(columns, driver.columns, self.bumps, self.domains)
+        return features if self.mix is None else features @ self.mix
+
+    def extremes(self, coefficients, low, high):
+        names = [str(i) for i in range(len(self.bumps))]
+        side = max(2, int(4000 ** (1 / len(names))))
+        lines = [np.linspace(a, b, side) for a, b in self.domains]
+        grid = dict(zip(names, (g.ravel() for g in np.meshgrid(*lines, indexing="ij")), strict=True))
+        values = bump_features(grid, names, self.bumps, self.domains) @ np.asarray(coefficients, dtype=float)
+        return float(values.min()), float(values.max())
+
+    def stored(self, coefficients, covariance):
+        if self.mix is None:
+            return self, coefficients, covariance
+        return Smooth(**self.values), self.mix @ coefficients, self.mix @ covariance @ self.mix.T
