@@ -8,11 +8,14 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ..core.errors import SQUARENESS, component
+from ..core.fitted import Constant, FittedModel, Series, ToolError
 from ..core.machine import Machine
 from . import evidence
 from .design import ALIGNMENT, tool_labels
 from .fit import Fit
 from .readings import Readings
+
+SHIFTS = ("EXW", "EYW", "EZW")
 
 
 @dataclass
@@ -36,48 +39,44 @@ class Outcome:
 def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -> Machine:
     """The machine with declared errors, alignment and offsets as fitted, and `effects` added."""
     errors = np.sqrt(np.maximum(np.diag(fitted.covariance), 0.0))
-    entries: dict = {}
-    alignment: dict = {}
-    runs: dict[str, list[float]] = {}
+    series: dict[str, Series] = {}
+    constants: dict[str, Constant] = {}
+    alignment: dict[str, Constant] = {}
+    runs: dict[str, dict[str, Constant]] = {}
     tools: dict[str, list[float]] = {}
     for i, term in enumerate(fitted.design.terms):
         value = float(fitted.coefficients[i])
         u = float(errors[i]) if fitted.determined[i] else None
-        if term.group in ("run", "tool"):
-            (runs if term.group == "run" else tools).setdefault(term.symbol, [0.0, 0.0, 0.0])[term.order] = value * 1e3
-            continue
-        c = component(term.symbol)
-        scale = 1e6 if c.angular else 1e3
-        value, u = value * scale, None if u is None else u * scale
-        if term.group == "alignment":
-            alignment[term.symbol] = {"value": value, "unit": c.unit, "u": u}
-        elif c.kind == SQUARENESS:
-            entries[term.symbol] = {"value": value, "unit": c.unit, "u": u}
+        if term.group == "run":
+            runs.setdefault(term.symbol, {})[SHIFTS[term.order]] = Constant(value)
+        elif term.group == "tool":
+            tools.setdefault(term.symbol, [0.0, 0.0, 0.0])[term.order] = value
+        elif term.group == "alignment":
+            alignment[term.symbol] = Constant(value, u)
+        elif component(term.symbol).kind == SQUARENESS:
+            constants[term.symbol] = Constant(value, u)
         else:
-            entry = entries.setdefault(
-                term.symbol,
-                {
-                    "basis": "legendre",
-                    "domain": list(machine.axes[c.body].travel),
-                    "coefficients": [0.0] * (machine.declared_degree(term.symbol) + 1),
-                    "unit": c.unit,
-                    "u": [0.0] * (machine.declared_degree(term.symbol) + 1),
-                },
-            )
-            entry["coefficients"][term.order] = value
-            entry["u"][term.order] = u
-    entries["alignment"] = {s: alignment[s] for s in ALIGNMENT if s in alignment}
+            count = machine.declared_degree(term.symbol) + 1
+            domain = machine.axes[component(term.symbol).body].travel
+            known = series.get(term.symbol) or Series(domain, (0.0,) * count, (0.0,) * count)
+            coefficients, errors_of = list(known.coefficients), list(known.u)
+            coefficients[term.order], errors_of[term.order] = value, u
+            series[term.symbol] = Series(domain, tuple(coefficients), tuple(errors_of))
     if readings.run is not None:
         first = sorted({str(r) for r in readings.run})[0]
-        entries["runs"] = {first: [0.0, 0.0, 0.0]} | runs
-    labels = tool_labels(readings)
-    if labels:
-        entries["x-tools"] = [
-            {"offset_mm": list(offset), "error_um": tools.get(str(i), [0.0, 0.0, 0.0])}
-            for i, offset in enumerate(labels, start=1)
-        ]
-    entries["x-ranges"] = {k: [float(v.min()), float(v.max())] for k, v in readings.columns.items()}
-    return replace(machine, fitted=entries, effects=tuple(machine.effects) + tuple(effects))
+        runs = {first: {s: Constant(0.0) for s in SHIFTS}} | runs
+    labels = tool_labels(readings) or [(0.0, 0.0, 0.0)]
+    model = FittedModel(
+        series=series,
+        constants=constants,
+        alignment={s: alignment[s] for s in ALIGNMENT if s in alignment},
+        runs=runs,
+        tools=tuple(
+            ToolError(offset, tuple(tools.get(str(i), (0.0, 0.0, 0.0)))) for i, offset in enumerate(labels, start=1)
+        ),
+        ranges={k: (float(v.min()), float(v.max())) for k, v in readings.columns.items()},
+    )
+    return replace(machine, fitted=model, effects=tuple(machine.effects) + tuple(effects))
 
 
 def covariance_table(fitted: Fit) -> tuple[list[str], np.ndarray]:

@@ -7,40 +7,22 @@ included unless they are left out on request.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
-from ..core.drivers import driver_columns, driver_values, to_domain
+from ..core.drivers import driver_columns, driver_values
 from ..core.errors import AXES, component
+from ..core.fitted import FittedModel
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.synthesis import omega
-from ..core.units import factor
 from .effects import effect_motion
 from .readings import Readings
 
 
-def _constant(entry, symbol: str) -> float:
-    c = component(symbol)
-    value, unit = (entry["value"], entry.get("unit", c.unit)) if isinstance(entry, Mapping) else (entry, c.unit)
-    return float(value) * factor(unit, angular=c.angular)
-
-
 def declared_values(machine: Machine, q) -> dict[str, np.ndarray]:
-    """symbol -> (P,) mm or rad of the fitted declared errors at positions q (P, 3)."""
-    values = {}
-    for symbol, entry in (machine.fitted or {}).items():
-        if symbol in ("alignment", "runs", "covariance") or symbol.startswith("x-"):
-            continue
-        c = component(symbol)
-        if isinstance(entry, Mapping) and "coefficients" in entry:
-            v = to_domain(q[:, AXES.index(c.body)], entry["domain"])
-            scale = factor(entry["unit"], angular=c.angular)
-            values[symbol] = scale * np.polynomial.legendre.legval(v, np.asarray(entry["coefficients"], dtype=float))
-        else:
-            values[symbol] = np.full(len(q), _constant(entry, symbol))
-    return values
+    """symbol -> (P,) mm or rad of the fitted declared errors at positions q (P, n)."""
+    fitted = machine.fitted or FittedModel()
+    return {s: fitted.values(s, q[:, AXES.index(component(s).body)]) for s in fitted.symbols}
 
 
 def needed_columns(machine: Machine) -> list[str]:
@@ -77,8 +59,8 @@ def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: 
     q = positions.q
     parts: list[tuple[str, np.ndarray]] = list(declared_values(machine, q).items())
     if alignment:
-        for symbol, entry in machine.fitted.get("alignment", {}).items():
-            parts.append((symbol, np.full(len(q), _constant(entry, symbol))))
+        parts += [(symbol, np.full(len(q), c.value)) for symbol, c in machine.fitted.alignment.items()]
+        parts += _of_runs(machine.fitted, positions)
     if effects:
         for effect in machine.effects:
             if effect.enabled:
@@ -90,33 +72,38 @@ def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: 
         matrix = omega(machine, symbols, q, positions.tool_offset)
         out += np.einsum("pan,pn->pa", matrix, np.stack([total[s] for s in symbols], axis=1))
     if alignment:
-        if positions.run is not None:
-            offsets = machine.fitted.get("runs", {})
-            for label in {str(r) for r in positions.run}:
-                if label in offsets:
-                    mask = np.array([str(r) == label for r in positions.run])
-                    out[mask] += 1e-3 * np.asarray(offsets[label], dtype=float)
-        for tool in machine.fitted.get("x-tools", ()):
+        for tool in machine.fitted.tools:
             if positions.tool_offset is not None:
-                mask = np.abs(positions.tool_offset - np.asarray(tool["offset_mm"])).max(axis=1) < 1e-3
-                out[mask] += 1e-3 * np.asarray(tool["error_um"], dtype=float)
+                mask = np.abs(positions.tool_offset - np.asarray(tool.offset)).max(axis=1) < 1e-3
+                out[mask] += np.asarray(tool.error)
     return out
+
+
+def _of_runs(fitted: FittedModel, positions: Readings) -> list[tuple[str, np.ndarray]]:
+    """(symbol, (P,)) what the runs that the positions name add to the alignment."""
+    if positions.run is None:
+        return []
+    labels = np.array([str(r) for r in positions.run])
+    return [
+        (symbol, np.where(labels == label, constant.value, 0.0))
+        for label in sorted(set(labels))
+        for symbol, constant in fitted.runs.get(label, {}).items()
+    ]
 
 
 def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:
     """(P,) where a place or a driver lies outside what the fit has seen (by more than 1 % of its range)."""
-    ranges = (machine.fitted or {}).get("x-ranges", {})
+    fitted = machine.fitted or FittedModel()
     outside = np.zeros(positions.points, dtype=bool)
-    for name, (low, high) in ranges.items():
+    for name, (low, high) in fitted.ranges.items():
         if name in positions.columns:
             slack = 0.01 * (high - low) + 1e-9
             v = positions.columns[name]
             outside |= (v < low - slack) | (v > high + slack)
-    known = (machine.fitted or {}).get("x-tools")
-    if known and positions.tool_offset is not None:
-        seen = np.array([t["offset_mm"] for t in known])
-        gap = np.abs(positions.tool_offset[:, None, :] - seen[None]).max(axis=2).min(axis=1)
-        outside |= gap > 1e-3
+    if fitted.tools or fitted.ranges:  # readings without tool columns were taken with the machine's own tool
+        seen = np.array([t.offset for t in fitted.tools] or [(0.0, 0.0, 0.0)])
+        tool = np.zeros((positions.points, 3)) if positions.tool_offset is None else positions.tool_offset
+        outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > 1e-3
     return outside
 
 

@@ -19,6 +19,7 @@ import numpy as np
 from .distributions import Tolerance, with_defaults
 from .drivers import Effect
 from .errors import AXES, BODIES
+from .fitted import FittedModel
 from .refusal import Refused
 
 MAX_SKEW_DEG = 5.0
@@ -89,7 +90,7 @@ class Machine:
     squareness : "direction" (ISO 230-1: only the direction of motion tilts) or "carried" (the guide's rotation also
     turns what it carries).  tolerances : symbol -> Tolerance as given (the rest takes the paper's).
     declared : symbol -> polynomial degree of the declared error function (0: not declared; squareness 1 or 0).
-    fitted : what `closedloop.fit` found, as in the file (see SPEC), or None.  effects : traced effects.
+    fitted : what a fit of readings gave, or None.  effects : traced effects.
     extra : the file's "x-" keys, kept.
     """
 
@@ -103,7 +104,7 @@ class Machine:
     squareness: str = "direction"
     tolerances: Mapping[str, Tolerance] = field(default_factory=dict)
     declared: Mapping[str, int] = field(default_factory=dict)
-    fitted: Mapping | None = None
+    fitted: FittedModel | None = None
     effects: tuple[Effect, ...] = ()
     extra: Mapping = field(default_factory=dict)
 

@@ -8,7 +8,6 @@ never written; the copy appears at once and complete, or not at all.
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import tempfile
 from dataclasses import dataclass
@@ -20,7 +19,7 @@ from ..core import workspace
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Sensitivity
-from ..formats import runs
+from ..formats import fitted_json, runs
 from . import (
     closed_loop,  # noqa: F401 - as objects
     objects,  # noqa: F401 - FreeCAD restores proxies only from modules that it knows, or that are loaded
@@ -28,7 +27,7 @@ from . import (
     tables,
 )
 from .archive import Contents, keep_view, read_contents
-from .base import kind_of, plain, put
+from .base import kind_of, put
 from .extract import core_machine, objective, positions
 from .factory import make_effect, set_tolerances
 from .refresh import refresh
@@ -170,7 +169,7 @@ def write_augmented(source, path_out, machine: Machine) -> Path:
         obj = opened.machine
         _take_model(obj, machine)
         obj.Declared = {symbol: str(int(degree)) for symbol, degree in machine.declared.items()}
-        put(obj, "Fitted", json.dumps(plain(machine.fitted)) if machine.fitted else "")
+        put(obj, "Fitted", fitted_json.dumps(machine.fitted))
         for old in effects_of(obj):
             opened.document.removeObject(old.Name)
         for effect in machine.effects:

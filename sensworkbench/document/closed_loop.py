@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import FreeCAD as App
 
 from ..messages import Refused
-from .base import READ_ONLY, Property, SensObject, dress, internal, plain, put, result
+from .base import READ_ONLY, Property, SensObject, dress, internal, put, result
 from .extract import core_machine
 from .factory import make_effect
 from .refresh import refresh
@@ -213,6 +214,8 @@ def add_effects(obj, names=None) -> list:
 
     Returns the effect objects.  They take part in the machine's error from then on.
     """
+    from ..formats import fitted_json
+
     machine = owner_machine(obj)
     wanted = [n for n in obj.Effects if names is None or n in names]
     if not wanted:
@@ -225,7 +228,7 @@ def add_effects(obj, names=None) -> list:
     made = [make_effect(machine, e) for e in model.effects if e.name in wanted]
     put(obj, "FittedBefore", machine.Fitted)
     put(obj, "Added", [o.Name for o in made])
-    put(machine, "Fitted", json.dumps(plain({k: v for k, v in model.fitted.items() if k != "covariance"})))
+    put(machine, "Fitted", fitted_json.dumps(replace(model.fitted, covariance=None)))
     refresh(machine)
     return made
 

@@ -269,7 +269,7 @@ def _core(machine, axes, u, direction_from, points, tool_point) -> Machine:
             squareness=machine.Squareness,
             tolerances=read_tolerances(machine),
             declared=_declared(machine),
-            fitted=_json(machine, "Fitted", None),
+            fitted=_fitted(machine),
             effects=tuple(core_effect(e) for e in effects_of(machine)),
             extra=_json(machine, "Extra", {}),
         )
@@ -279,6 +279,12 @@ def _core(machine, axes, u, direction_from, points, tool_point) -> Machine:
             sources = "; ".join(f"{axes[n].Label}: {direction_from[n]}" for n in named)
             raise Refused(f"{error.what} ({sources})", machine.Label, error.do) from None
         raise error.at(machine.Label) from None
+
+
+def _fitted(machine):
+    from ..formats import fitted_json
+
+    return fitted_json.loads(machine.Fitted, f"{machine.Label}, Fitted")
 
 
 def _declared(machine) -> dict[str, int]:

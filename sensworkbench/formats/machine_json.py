@@ -19,11 +19,12 @@ from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Axis, Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import factor
 
+from . import fitted_json
 from .files import read_text, write_text
+from .fitted_json import MAX_DEGREE, symbols, unit_scale
 from .json_text import Place, parse, short
 
 FORMAT, VERSION = "sens-machine", 1
-MAX_DEGREE = 30
 
 _KEYS = (
     "format", "version", "name", "workpiece_chain", "tool_chain", "axes", "tool_point", "spindle_reference",
@@ -61,7 +62,7 @@ def from_place(top: Place) -> Machine:
             squareness=top["squareness"].string(SQUARENESS_CONVENTIONS) if "squareness" in top else "direction",
             tolerances=tolerances(top["tolerances"]) if "tolerances" in top else {},
             declared=_declared(top["declared"]) if "declared" in top else {},
-            fitted=_fitted(top["fitted"]) if "fitted" in top else None,
+            fitted=fitted_json.read(top["fitted"]) if "fitted" in top else None,
             effects=_effects(top["effects"]) if "effects" in top else (),
             extra={k: v for k, v in top.value.items() if k.startswith("x-")},
             **given,
@@ -102,27 +103,12 @@ def _axes(place: Place) -> dict[str, Axis]:
     return found
 
 
-def _symbols(place: Place):
-    """(ISO symbol, place) of every member; aliases are understood, the same error under two names is refused."""
-    seen = {}
-    for key, entry in place.members():
-        if key.startswith("x-"):
-            raise entry.refuse(
-                f"{short(key)} is not kept here", 'Put keys that begin with "x-" at the top of the file.'
-            )
-        symbol = component(key, entry.where).symbol
-        if symbol in seen:
-            raise entry.refuse(f"{short(key)} and {short(seen[symbol])} are the same error", "Keep one.")
-        seen[symbol] = key
-        yield symbol, entry
-
-
 def tolerances(place: Place) -> dict[str, Tolerance]:
     """symbol -> Tolerance of an object of {"lower", "upper", "unit", "distribution", "sigma"}."""
     found = {}
-    for symbol, entry in _symbols(place):
+    for symbol, entry in symbols(place):
         entry.keys(("lower", "upper", "unit", "distribution", "sigma"), ("lower", "upper"))
-        scale = _unit_scale(entry, symbol)
+        scale = unit_scale(entry, symbol)
         lower, upper = entry["lower"].number(), entry["upper"].number()
         if upper < lower:
             raise entry["upper"].refuse(
@@ -138,17 +124,9 @@ def tolerances(place: Place) -> dict[str, Tolerance]:
     return found
 
 
-def _unit_scale(entry: Place, symbol: str) -> float:
-    """Factor to mm or rad of the entry's unit; um or urad where it states none."""
-    c = component(symbol)
-    if "unit" not in entry:
-        return factor(c.unit, angular=c.angular)
-    return factor(entry["unit"].string(), angular=c.angular, where=entry["unit"].where)
-
-
 def _declared(place: Place) -> dict[str, int]:
     found = {}
-    for symbol, entry in _symbols(place):
+    for symbol, entry in symbols(place):
         entry.keys(("shape", "degree"), ("shape",))
         if entry["shape"].string(("polynomial", "none")) == "none":
             found[symbol] = 0
@@ -160,56 +138,6 @@ def _declared(place: Place) -> dict[str, int]:
         degree = entry["degree"].integer(0, MAX_DEGREE) if "degree" in entry else 3
         found[symbol] = min(degree, 1) if component(symbol).kind == SQUARENESS else degree
     return found
-
-
-def _fitted(place: Place) -> dict:
-    """Checked, and returned as it stands (plain data; symbols under their ISO names)."""
-    found: dict = {}
-    for key, entry in place.members():
-        if key == "alignment":
-            found[key] = {}
-            for symbol, value in _symbols(entry):
-                _value(value)
-                found[key][symbol] = value.value
-        elif key == "runs":
-            for _, offset in entry.members():
-                offset.numbers(3)
-            found[key] = entry.value
-        elif key == "covariance":
-            name = entry.string()
-            if not name or any(c in name for c in "/\\:\0") or not name.endswith(".npz"):
-                raise entry.refuse(f"{short(name)} is not the name of an .npz file", "Keep it beside the machine.")
-            found[key] = name
-        elif key.startswith("x-"):
-            found[key] = entry.value
-        else:
-            symbol = component(key, entry.where).symbol
-            if symbol in found:
-                raise entry.refuse(f"{short(key)} stands twice under two names", "Keep one.")
-            _unit_scale_checked(entry, symbol)
-            _fitted_error(entry, symbol)
-            found[symbol] = entry.value
-    return found
-
-
-def _unit_scale_checked(entry: Place, symbol: str) -> None:
-    if isinstance(entry.value, dict):
-        _unit_scale(entry, symbol)
-
-
-def _fitted_error(entry: Place, symbol: str) -> None:
-    if component(symbol).kind == SQUARENESS or not (isinstance(entry.value, dict) and "coefficients" in entry):
-        return _value(entry)
-    entry.keys(("basis", "domain", "coefficients", "unit", "u"), ("basis", "domain", "coefficients", "unit"))
-    entry["basis"].string(("legendre",))
-    low, high = entry["domain"].numbers(2)
-    if not low < high:
-        raise entry["domain"].refuse(f"the domain from {low:g} to {high:g} has no length")
-    count = len(entry["coefficients"].numbers())
-    if count > MAX_DEGREE + 1:
-        raise entry["coefficients"].refuse(f"{count} coefficients are too many", f"At most {MAX_DEGREE + 1}.")
-    if "u" in entry and entry.value["u"] is not None:
-        _uncertainties(entry["u"], count)
 
 
 def _uncertainties(place: Place, count: int) -> None:
@@ -298,7 +226,7 @@ def to_dict(machine: Machine) -> dict:
             s: {"shape": "polynomial", "degree": d} if d else {"shape": "none"} for s, d in machine.declared.items()
         }
     if machine.fitted is not None:
-        data["fitted"] = machine.fitted
+        data["fitted"] = fitted_json.to_dict(machine.fitted)
     if machine.effects:
         data["effects"] = [
             {

@@ -23,7 +23,7 @@ COVARIANCE = "covariance.npz"
 
 def augmented(outcome: Outcome) -> Machine:
     """The augmented machine with the name of its covariance file."""
-    return replace(outcome.machine, fitted={**(outcome.machine.fitted or {}), "covariance": COVARIANCE})
+    return replace(outcome.machine, fitted=replace(outcome.machine.fitted, covariance=COVARIANCE))
 
 
 def write(folder, outcome: Outcome, extra: Callable[[Path, Machine], None] | None = None) -> list[Path]:

@@ -23,7 +23,7 @@ class TaskTables:
 
     def __init__(self, machine):
         self.core = extract.core_machine(machine)  # refuses before anything is opened
-        if not self.core.fitted:
+        if self.core.fitted is None:
             raise Refused(
                 translate("Sens", "it has no fitted errors yet"), machine.Label,
                 translate("Sens", "Trace readings and add what was found first."),

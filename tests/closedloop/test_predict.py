@@ -17,6 +17,7 @@ from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.search import Candidate, vectors_of
 from sensworkbench.closedloop.surface import surface
 from sensworkbench.closedloop.tracer import Tracer, surface_candidate
+from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import machine_json
 
@@ -127,7 +128,7 @@ def test_the_alignment_and_the_offsets_of_runs_and_tools_belong_to_the_set_up(tr
     q = scattered(5, 9)
     at = Readings.from_vectors(q, np.full((5, 3), np.nan), session(5, 9))
     first, second = (predict(machine, replace(at, run=np.full(5, label))) for label in (1, 2))
-    assert second - first == pytest.approx(np.tile(np.array(machine.fitted["runs"]["2"]) * 1e-3, (5, 1)))
+    assert second - first == pytest.approx(np.tile([c.value for c in machine.fitted.runs["2"].values()], (5, 1)))
     assert predict(machine, at) == pytest.approx(first)  # no run named: as the first
     bare = predict(machine, replace(at, run=np.full(5, 2)), alignment=False)
     assert bare == pytest.approx(predict(machine, at, alignment=False))
@@ -168,8 +169,20 @@ def test_uncertainties_are_stored_for_what_is_determined_and_for_nothing_else():
     readings = measured(simulated, scattered(200, 3), columns=session(200, 3), noise=NOISE, seed=3)
     tracer = Tracer(machine, readings, permutations=9)
     fitted, _ = augmented(tracer, [])
-    assert all(u is None for u in fitted.fitted["EAZ"]["u"][1:])  # no lever arm: nothing printed for it
-    assert all(u > 0 for u in fitted.fitted["EAX"]["u"][1:])
+    assert all(u is None for u in fitted.fitted.series["EAZ"].u[1:])  # no lever arm: nothing printed for it
+    assert all(u > 0 for u in fitted.fitted.series["EAX"].u[1:])
     names, covariance = outcome.covariance_table(tracer.fit_with([]))
     at = names.index("declared EAX (order 1)")
-    assert np.sqrt(covariance[at, at]) == pytest.approx(fitted.fitted["EAX"]["u"][1], rel=1e-9)
+    assert np.sqrt(covariance[at, at]) == pytest.approx(1e6 * fitted.fitted.series["EAX"].u[1], rel=1e-9)
+
+
+def test_a_tool_that_no_reading_had_is_marked():
+    simulated, machine = both("FXYZ", (0, 0, 0))
+    readings = measured(simulated, scattered(200, 3), columns=session(200, 3), noise=NOISE, seed=3)
+    fitted, _ = augmented(Tracer(machine, readings, permutations=9), [])
+    at = Readings.from_vectors(readings.q[:2], np.full((2, 3), np.nan))
+    assert not extrapolated(fitted, at).any()
+    longer = replace(at, tool_offset=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -150.0]]))
+    assert extrapolated(fitted, longer).tolist() == [False, True]
+    imported = replace(machine, fitted=FittedModel(constants={"C0Y": Constant(1e-6)}))  # nobody knows with which tool
+    assert not extrapolated(imported, longer).any()

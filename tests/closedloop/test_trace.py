@@ -165,7 +165,7 @@ def test_runs_and_several_tools_leave_the_verdict_as_it_is():
     moved = np.array([(0, 0, 0), (6e-3, -3e-3, 2e-3), (-5e-3, 1e-3, 4e-3), (2e-3, 2e-3, 2e-3)])[run - 1]
     outcome = trace(machine, replace(readings, value=readings.value + moved.ravel()), seed=5)
     assert outcome.report["verdict"] == "explained" and is_the_bend(outcome)
-    assert set(outcome.machine.fitted["runs"]) == {"1", "2", "3", "4"}
+    assert set(outcome.machine.fitted.runs) == {"1", "2", "3", "4"}
     assert outcome.report["identifiability"]["rank"] > 45
 
 

@@ -18,6 +18,7 @@ import pytest
 
 from sensworkbench.core import workspace
 from sensworkbench.core.drivers import Effect
+from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import archive, batch, extract, factory, handoff, results, tables
 
@@ -133,7 +134,7 @@ def test_fitted_errors_and_effects_are_written_under_their_bodies(saved, tmp_pat
     effect = Effect(
         "growth", "EZT", "t", "approach", {"coefficient": {"value": 12.0, "unit": "um"}, "tau": {"value": 900}}
     )
-    fitted = {"C0Y": {"value": 3.0, "unit": "urad", "u": 0.2}}
+    fitted = FittedModel(constants={"C0Y": Constant(3e-6, 2e-7)})
     augmented = replace(core, fitted=fitted, effects=(effect,), declared={"EXX": 5})
     target = batch.write_augmented(saved, tmp_path / "machine_augmented.FCStd", augmented)
     batch.write_augmented(target, tmp_path / "again.FCStd", augmented)

@@ -5,6 +5,7 @@ written and read again describe the same machine.
 
 from __future__ import annotations
 
+import json
 import re
 from dataclasses import replace
 
@@ -17,10 +18,11 @@ from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.search import vectors_of
 from sensworkbench.core.drivers import Effect, effect_values
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
+from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.machine import Axis, Machine, structure_chains
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import volumetric_error
-from sensworkbench.formats import readings_csv
+from sensworkbench.formats import fitted_json, readings_csv
 from sensworkbench.formats.exchange import etalon, isg
 from sensworkbench.formats.exchange.axis_tables import axis_tables, correction
 from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
@@ -53,7 +55,7 @@ def machine(structure="XYFZ", *, directions=TURN, fitted=None, effects=(), squar
         tool_chain=tool,
         axes={k: Axis(k, directions[k], references[k], TRAVEL[k]) for k in AXES},
         tool_point=(10.0, -20, 150),
-        fitted=fitted,
+        fitted=fitted_json.loads(json.dumps(fitted), "fitted") if isinstance(fitted, dict) else fitted,
         effects=tuple(effects),
         squareness=squareness,
     )
@@ -80,7 +82,7 @@ def error(m: Machine, q, direction=1.0, temperature=0.0) -> np.ndarray:
     for i, k in enumerate("xyz"):
         columns[k] = q[:, i]
         columns[f"dir_{k}"] = np.full(len(q), direction)
-    for s, e in m.fitted.items():
+    for s, e in fitted_json.to_dict(m.fitted).items():
         if s in SQUARENESS_SYMBOLS:
             unit = {"urad": 1e-6, "arcsec": np.pi / 648000}[e["unit"]] if isinstance(e, dict) else 1e-6
             values[s] = np.full(len(q), (e["value"] if isinstance(e, dict) else e) * unit)
@@ -402,9 +404,8 @@ Z      X      EXX    EYX    EZX    EAX    EBX    ECX
     corners = np.array([[0, 0, 0], [10, 0, 0], [0, 0, 100], [10, 0, 100]], dtype=float)
     columns = {"x": corners[:, 0], "z": corners[:, 2]}
     for table in read.tables:  # four corners: the bilinear form goes through them
-        e = m.fitted[table.symbol]
-        scale = 1e-6 if e["unit"] == "urad" else 1e-3
-        own = np.polynomial.legendre.legval(corners[:, 0] / 5 - 1, e["coefficients"]) * scale
+        e = m.fitted.series[table.symbol]
+        own = np.polynomial.legendre.legval(corners[:, 0] / 5 - 1, e.coefficients)
         rest = sum((effect_values(f, columns) for f in m.effects if f.component == table.symbol), 0 * own)
         assert own + rest == pytest.approx(table.values, abs=1e-9)
 
@@ -560,7 +561,7 @@ def test_the_error_that_remains_is_that_of_the_workspace(fmt):
 
 
 def test_at_given_places_a_temperature_that_no_table_knows_is_in_the_figures(tmp_path):
-    straight = {"EXX": machine().fitted["EXX"]}
+    straight = FittedModel({"EXX": machine().fitted.series["EXX"]})
     m = machine(fitted=straight, effects=[HEAT])  # 1.5 um/K along y
     path = tmp_path / "places.csv"
     q = places(20)

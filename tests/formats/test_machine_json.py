@@ -71,7 +71,7 @@ FITTED = {
         "u": [0.1, 0.1, None],
     },
     "C0Y": {"value": 12.5, "unit": "urad", "u": 0.4},
-    "alignment": {"EXW": 3.25, "ECW": {"value": -4.0, "unit": "urad", "u": 1.0}},
+    "alignment": {"EXW": {"value": 3.25, "unit": "um"}, "ECW": {"value": -4.0, "unit": "urad", "u": 1.0}},
     "runs": {"1": [0.5, 0.0, -0.5], "=2": [0.0, 0.0, 0.0]},
     "covariance": "fit.npz",
 }
@@ -91,9 +91,13 @@ EFFECTS = [
 ]
 
 
-def test_fitted_errors_and_effects_are_read_and_written_as_they_stand():
+def test_fitted_errors_and_effects_are_read_in_mm_and_rad_and_written_as_they_stand():
     first = machine_json.loads(json.dumps(golden(fitted=FITTED, effects=EFFECTS, **{"x-shop": {"id": [1, None, "a"]}})))
-    assert first.fitted == FITTED
+    assert first.fitted.series["EXX"].coefficients == pytest.approx((1.5e-3, -0.25e-3, 0.125e-3), rel=1e-15)
+    assert first.fitted.series["EXX"].u[2] is None
+    assert first.fitted.constants["C0Y"].u == pytest.approx(0.4e-6)
+    assert first.fitted.alignment["EXW"].value == pytest.approx(3.25e-3)
+    assert first.fitted.runs["1"]["EZW"].value == pytest.approx(-0.5e-3)
     assert first.effects[0].parameter("tau") == 1800.0
     assert not first.effects[0].enabled
     assert first.extra == {"x-shop": {"id": [1, None, "a"]}}
@@ -242,6 +246,22 @@ BAD = {
         golden(fitted={"EXX": {"basis": "legendre", "domain": [1, 1], "coefficients": [1], "unit": "um"}}),
         ["fitted.EXX.domain"],
     ),
+    "fitted without coefficients": (
+        golden(fitted={"EXX": {"basis": "legendre", "domain": [0, 1], "coefficients": [], "unit": "um"}}),
+        ["fitted.EXX.coefficients"],
+    ),
+    "a list for squareness": (golden(fitted={"C0Y": {"value": [1, 2]}}), ["fitted.C0Y.value"]),
+    "an angle for a shift": (
+        golden(fitted={"alignment": {"EXW": {"value": 1, "unit": "urad"}}}),
+        ["fitted.alignment.EXW.unit"],
+    ),
+    "ranges that are none": (golden(fitted={"x-ranges": 5}), ["fitted.x-ranges"]),
+    "a range of text": (golden(fitted={"x-ranges": {"x": "ab"}}), ["fitted.x-ranges.x"]),
+    "a range without an end": (golden(fitted={"x-ranges": {"x": [1]}}), ["fitted.x-ranges.x"]),
+    "a range turned round": (golden(fitted={"x-ranges": {"x": [2, 1]}}), ["fitted.x-ranges.x", "2"]),
+    "tools that are none": (golden(fitted={"x-tools": 5}), ["fitted.x-tools"]),
+    "a tool without its error": (golden(fitted={"x-tools": [{"offset_mm": [0, 0, 1]}]}), ["fitted.x-tools[0]"]),
+    "a run of text": (golden(fitted={"runs": {"1": "a"}}), ["fitted.runs.1"]),
     "uncertainties that do not match": (
         golden(fitted={"EXX": {"basis": "legendre", "domain": [0, 1], "coefficients": [1], "unit": "um", "u": [1, 1]}}),
         ["fitted.EXX.u"],

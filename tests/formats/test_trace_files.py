@@ -94,7 +94,7 @@ def test_the_augmented_machine_is_a_machine_with_the_effect(traced):
     folder, _ = traced
     machine = machine_json.load(folder / "out" / "machine_augmented.json")
     assert [e.component for e in machine.effects] == ["EAZ"]
-    assert machine.fitted["covariance"] == "covariance.npz"
+    assert machine.fitted.covariance == "covariance.npz"
     again = machine_json.loads(machine_json.dumps(machine))
     assert again == machine
     assert cli.main(["sensitivity", str(folder / "out" / "machine_augmented.json"), "--out", str(folder / "s")]) == 0

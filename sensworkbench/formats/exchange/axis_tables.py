@@ -19,6 +19,7 @@ from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.errors import AXES, SQUARENESS_SYMBOLS, component
+from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.machine import Machine
 
 from .coverage import DIRECTION, Coverage, Drive, drive, line_obstacle
@@ -99,7 +100,7 @@ def _lines(machine: Machine, fmt: str, through) -> dict[tuple[str, str], list[Ca
     Reversals of the other axes stand in the middle; effects that no table of positions can follow are left out.
     """
     known = tuple(e for e in machine.effects if isinstance(drive(e), Drive))
-    machine = replace(machine, effects=known, fitted=machine.fitted or {})
+    machine = replace(machine, effects=known, fitted=machine.fitted or FittedModel())
     u = machine.directions
 
     def error(q, direction):

@@ -94,7 +94,7 @@ def write(machine: Machine, fmt: str, **options) -> Written:
                 notes.append(f"{t.symbol}: interpolation error {size:.3f} {unit}.")
     if machine.squareness == "carried":
         notes.append("Squareness carried to later links is written as tilt of direction plus constant rotations.")
-    if (machine.fitted or {}).get("alignment"):
+    if machine.fitted is not None and machine.fitted.alignment:
         notes.append("The alignment of the measuring set-up is not part of the tables.")
     return Written(fmt, files, coverage, tuple(notes), tables)
 

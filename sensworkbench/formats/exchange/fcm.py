@@ -187,7 +187,7 @@ def lost(machine: Machine) -> tuple[str, ...]:
     out = ["the tool point and the reference points of spindle and workpiece"]
     if machine.tolerances:
         out.append("tolerances")
-    if machine.fitted:
+    if machine.fitted is not None:
         out.append("fitted errors")
     if machine.effects:
         out.append("effects")

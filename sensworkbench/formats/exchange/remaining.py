@@ -16,6 +16,7 @@ from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.drivers import driver_columns
 from sensworkbench.core.errors import AXES
+from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.machine import Machine
 
 from .axis_tables import correction
@@ -61,7 +62,7 @@ def remaining(machine: Machine, fmt: str, positions: Readings | None = None, tab
             if e.enabled and (e.shape == "lag" or not set(driver_columns(e.driver)) <= known)
         )
     effects = tuple(replace(e, enabled=False) if e.name in left_out else e for e in machine.effects)
-    machine = replace(machine, effects=effects, fitted=machine.fitted or {})
+    machine = replace(machine, effects=effects, fitted=machine.fitted or FittedModel())
     before = predict(machine, positions, alignment=False)
     if tables is None:
         after = predict(after_compensation(machine, fmt), positions, alignment=False)

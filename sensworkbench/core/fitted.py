@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a fit of readings gave to a machine: error functions, constants, alignment of the set-up, runs, tools, ranges.
+
+Everything is in mm and rad; files and their units are read and written by `formats.machine_json` alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from .drivers import to_domain
+
+
+@dataclass(frozen=True)
+class Series:
+    """An error function of one joint's position: a Legendre series.
+
+    domain : (low, high) of the position, mm or rad, mapped to [-1, 1].  coefficients : (n + 1,) of P_0 .. P_n, mm or
+    rad.  u : (n + 1,) their standard uncertainties, None where not determined; empty: none is known.
+    """
+
+    domain: tuple[float, float]
+    coefficients: tuple[float, ...]
+    u: tuple[float | None, ...] = ()
+
+    def __call__(self, q) -> np.ndarray:
+        """The error (P,) at positions q (P,)."""
+        return np.polynomial.legendre.legval(to_domain(q, self.domain), np.asarray(self.coefficients, dtype=float))
+
+    @property
+    def empty(self) -> bool:
+        return not any(self.coefficients)
+
+    def plus(self, constant: float) -> Series:
+        """The series with `constant` added at every position; uncertainties stay."""
+        return replace(self, coefficients=(self.coefficients[0] + constant, *self.coefficients[1:]))
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A constant error, mm or rad, with its standard uncertainty (None: not known or not determined)."""
+
+    value: float
+    u: float | None = None
+
+
+@dataclass(frozen=True)
+class ToolError:
+    """What the readings with one tool showed in common: offset (3,) of the tool point and error (3,), mm."""
+
+    offset: tuple[float, float, float]
+    error: tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class FittedModel:
+    """Fitted errors of a machine and of the set-up that measured it.
+
+    series : error functions by symbol.  constants : squareness, and axis errors that were given as one number.
+    alignment : of the set-up by symbol (EXW .. ECW).  runs : label -> symbol -> Constant, what each run adds to it.
+    tools : per tool.  ranges : column -> (lowest, highest) of the readings.  covariance : name of the .npz file beside
+    the machine's, or None.  extra : keys "x-..." of the file, kept.
+    """
+
+    series: Mapping[str, Series] = field(default_factory=dict)
+    constants: Mapping[str, Constant] = field(default_factory=dict)
+    alignment: Mapping[str, Constant] = field(default_factory=dict)
+    runs: Mapping[str, Mapping[str, Constant]] = field(default_factory=dict)
+    tools: tuple[ToolError, ...] = ()
+    ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    covariance: str | None = None
+    extra: Mapping = field(default_factory=dict)
+
+    @property
+    def symbols(self) -> tuple[str, ...]:
+        """The errors of the machine that have a fitted value, in the order in which they were given."""
+        return (*self.series, *self.constants)
+
+    def values(self, symbol: str, q) -> np.ndarray:
+        """The error (P,) of `symbol` at positions q (P,) of its joint; zero where nothing is fitted."""
+        if symbol in self.series:
+            return self.series[symbol](q)
+        constant = self.constants.get(symbol)
+        return np.full(len(q), 0.0 if constant is None else constant.value)
+
+    def with_errors(self, changes: Mapping[str, Series | Constant | None]) -> FittedModel:
+        """The model with some errors replaced (None: removed).
+
+        The covariance belongs to the old values and is left out.
+        """
+        series = {s: v for s, v in self.series.items() if s not in changes}
+        constants = {s: v for s, v in self.constants.items() if s not in changes}
+        for symbol, value in changes.items():
+            if isinstance(value, Series):
+                series[symbol] = value
+            elif value is not None:
+                constants[symbol] = value
+        return replace(self, series=series, constants=constants, covariance=None)

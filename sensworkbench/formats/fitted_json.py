@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The "fitted" part of machine.json: read into a `core.fitted.FittedModel` in mm and rad, and written in um and urad.
+
+What a fit stores beside the errors (`x-tools`, `x-ranges`) is checked like everything else; other "x-" keys are kept.
+A model that was read from a file is equal to itself after it was written and read again.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+
+from sensworkbench.core.errors import SQUARENESS, component
+from sensworkbench.core.fitted import Constant, FittedModel, Series, ToolError
+from sensworkbench.core.units import factor
+
+from .json_text import Place, parse, short
+
+MAX_DEGREE = 30
+SHIFTS = ("EXW", "EYW", "EZW")
+_OFFSET, _ERROR = "offset_mm", "error_um"
+
+
+def symbols(place: Place):
+    """(ISO symbol, place) of every member; aliases are understood, the same error under two names is refused."""
+    seen = {}
+    for key, entry in place.members():
+        if key.startswith("x-"):
+            raise entry.refuse(
+                f"{short(key)} is not kept here", 'Put keys that begin with "x-" at the top of the file.'
+            )
+        symbol = component(key, entry.where).symbol
+        if symbol in seen:
+            raise entry.refuse(f"{short(key)} and {short(seen[symbol])} are the same error", "Keep one.")
+        seen[symbol] = key
+        yield symbol, entry
+
+
+def unit_scale(entry: Place, symbol: str) -> float:
+    """Factor to mm or rad of the entry's unit; um or urad where it states none."""
+    c = component(symbol)
+    if "unit" not in entry:
+        return factor(c.unit, angular=c.angular)
+    return factor(entry["unit"].string(), angular=c.angular, where=entry["unit"].where)
+
+
+# -- reading ---------------------------------------------------------------------------------------------------------
+def read(place: Place) -> FittedModel:
+    """The model of a parsed "fitted" object.  Refuses with the place of what is wrong."""
+    series: dict[str, Series] = {}
+    constants: dict[str, Constant] = {}
+    more: dict = {}
+    extra: dict = {}
+    for key, entry in place.members():
+        if key == "alignment":
+            more[key] = {symbol: _constant(value, symbol) for symbol, value in symbols(entry)}
+        elif key == "runs":
+            more[key] = {label: _run(value) for label, value in entry.members()}
+        elif key == "covariance":
+            more[key] = _file_name(entry)
+        elif key == "x-tools":
+            more["tools"] = tuple(_tool(e) for e in entry.elements())
+        elif key == "x-ranges":
+            more["ranges"] = {name: _range(value) for name, value in entry.members()}
+        elif key.startswith("x-"):
+            extra[key] = entry.value
+        else:
+            symbol = component(key, entry.where).symbol
+            if symbol in series or symbol in constants:
+                raise entry.refuse(f"{short(key)} stands twice under two names", "Keep one.")
+            if component(symbol).kind != SQUARENESS and isinstance(entry.value, dict) and "coefficients" in entry:
+                series[symbol] = _series(entry, symbol)
+            else:
+                constants[symbol] = _constant(entry, symbol)
+    return FittedModel(series=series, constants=constants, extra=extra, **more)
+
+
+def loads(text: str, name: str) -> FittedModel | None:
+    """The model in a text ("" or null: None); `name` stands in refusals."""
+    if not text.strip():
+        return None
+    place = parse(text, name)
+    return None if place.value is None else read(place)
+
+
+def _series(entry: Place, symbol: str) -> Series:
+    entry.keys(("basis", "domain", "coefficients", "unit", "u"), ("basis", "domain", "coefficients", "unit"))
+    entry["basis"].string(("legendre",))
+    low, high = entry["domain"].numbers(2)
+    if not high - low > 1e-9:
+        raise entry["domain"].refuse(f"the domain from {low:g} to {high:g} has no length")
+    scale = unit_scale(entry, symbol)
+    coefficients = entry["coefficients"].numbers()
+    if not 1 <= len(coefficients) <= MAX_DEGREE + 1:
+        raise entry["coefficients"].refuse(
+            f"{len(coefficients)} coefficients are too many or too few", f"At least 1, at most {MAX_DEGREE + 1}."
+        )
+    u = ()
+    if "u" in entry and entry.value["u"] is not None:
+        u = tuple(_uncertainty(e, scale) for e in entry["u"].elements(len(coefficients)))
+    return Series((low, high), tuple(_scaled(v, scale, entry["coefficients"]) for v in coefficients), u)
+
+
+def _constant(place: Place, symbol: str) -> Constant:
+    """A number in um or urad, or {"value", "unit", "u"} where u may be null."""
+    if not isinstance(place.value, dict):
+        c = component(symbol)
+        return Constant(_scaled(place.number(), factor(c.unit, angular=c.angular), place))
+    place.keys(("value", "unit", "u"), ("value",))
+    scale = unit_scale(place, symbol)
+    u = _uncertainty(place["u"], scale) if "u" in place else None
+    return Constant(_scaled(place["value"].number(), scale, place["value"]), u)
+
+
+def _scaled(value: float, scale: float, place: Place) -> float:
+    if not math.isfinite(value) or abs(value * scale) > 1e9:
+        raise place.refuse(f"{value:g} is no plausible size of an error")
+    return value * scale
+
+
+def _uncertainty(place: Place, scale: float) -> float | None:
+    if place.value is None:
+        return None
+    if place.number() < 0:
+        raise place.refuse("a standard uncertainty is not negative")
+    return _scaled(place.number(), scale, place)
+
+
+def _run(place: Place) -> dict[str, Constant]:
+    """[ex, ey, ez] in um, or symbol -> value as under "alignment"."""
+    if isinstance(place.value, dict):
+        return {symbol: _constant(value, symbol) for symbol, value in symbols(place)}
+    return {symbol: Constant(_scaled(e.number(), 1e-3, e)) for symbol, e in zip(SHIFTS, place.elements(3), strict=True)}
+
+
+def _tool(place: Place) -> ToolError:
+    place.keys((_OFFSET, _ERROR), (_OFFSET, _ERROR))
+    error = tuple(_scaled(e.number(), 1e-3, e) for e in place[_ERROR].elements(3))
+    return ToolError(tuple(place[_OFFSET].numbers(3)), error)
+
+
+def _range(place: Place) -> tuple[float, float]:
+    low, high = place.numbers(2)
+    if low > high:
+        raise place.refuse(f"a range from {low:g} down to {high:g}", "Give the lowest value first.")
+    return low, high
+
+
+def _file_name(entry: Place) -> str:
+    name = entry.string()
+    if not name or any(c in name for c in "/\\:\0") or not name.endswith(".npz"):
+        raise entry.refuse(f"{short(name)} is not the name of an .npz file", "Keep it beside the machine.")
+    return name
+
+
+# -- writing ---------------------------------------------------------------------------------------------------------
+def to_dict(model: FittedModel) -> dict:
+    """The model as it stands in the file, in um and urad."""
+    out: dict = {}
+    for symbol, s in model.series.items():
+        scale, unit = _unit(symbol)
+        out[symbol] = {
+            "basis": "legendre",
+            "domain": list(s.domain),
+            "coefficients": [shown(v, scale) for v in s.coefficients],
+            "unit": unit,
+        }
+        if s.u:
+            out[symbol]["u"] = [None if v is None else shown(v, scale) for v in s.u]
+    out |= {symbol: _constant_dict(symbol, c) for symbol, c in model.constants.items()}
+    if model.alignment:
+        out["alignment"] = {symbol: _constant_dict(symbol, c) for symbol, c in model.alignment.items()}
+    if model.runs:
+        out["runs"] = {label: _run_entry(run) for label, run in model.runs.items()}
+    if model.tools:
+        out["x-tools"] = [{_OFFSET: list(t.offset), _ERROR: [shown(v, 1e-3) for v in t.error]} for t in model.tools]
+    if model.ranges:
+        out["x-ranges"] = {name: list(r) for name, r in model.ranges.items()}
+    if model.covariance is not None:
+        out["covariance"] = model.covariance
+    return out | dict(model.extra)
+
+
+def dumps(model: FittedModel | None) -> str:
+    """One line of JSON ("" for None)."""
+    return "" if model is None else json.dumps(to_dict(model), allow_nan=False)
+
+
+def _unit(symbol: str) -> tuple[float, str]:
+    c = component(symbol)
+    return factor(c.unit, angular=c.angular), c.unit
+
+
+def _constant_dict(symbol: str, c: Constant) -> dict:
+    scale, unit = _unit(symbol)
+    return {"value": shown(c.value, scale), "unit": unit} | ({} if c.u is None else {"u": shown(c.u, scale)})
+
+
+def _run_entry(run: Mapping[str, Constant]):
+    if set(run) <= set(SHIFTS) and all(c.u is None for c in run.values()):
+        return [shown(run[s].value, 1e-3) if s in run else 0.0 for s in SHIFTS]
+    return {symbol: _constant_dict(symbol, c) for symbol, c in run.items()}
+
+
+def shown(value: float, scale: float) -> float:
+    """The number that, times `scale`, reads back as `value` exactly if there is one, else the nearest."""
+    guess = value / scale
+    for number in (guess, value * (1 / scale), math.nextafter(guess, math.inf), math.nextafter(guess, -math.inf)):
+        if number * scale == value:
+            return number
+    return guess
