@@ -1299,6 +1299,11 @@
       <translation>Die Datei sagt es in Zeile {line}.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The fit stopped: {error}. The report view holds the details; please send them in with the readings.</source>
+      <translation>Die Anpassung brach ab: {error}. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>The geometry does not show which part is which: choose bed and carriages.</source>
       <translation>Die Geometrie zeigt nicht, welches Teil was ist: Bett und Schlitten wählen.</translation>
@@ -1307,6 +1312,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The machine has changed since this trace. Trace again.</source>
       <translation>Die Maschine hat sich seit dieser Suche geändert. Bitte erneut suchen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The middle of the far end was taken for the side.</source>
+      <translation>Statt der Mantelfläche gilt die Mitte des äußeren Endes.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1344,6 +1354,16 @@
       <translation>Das Werkzeug wird getragen von</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The tool reaches {length} mm past this point.</source>
+      <translation>Das Werkzeug reicht {length} mm über diesen Punkt hinaus.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The trace stopped: {error}. Nothing was changed. The report view holds the details; please send them in with the readings.</source>
+      <translation>Die Suche brach ab: {error}. Nichts wurde geändert. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>These readings cannot tell it from its rivals:</source>
       <translation>Diese Messwerte können ihn nicht von seinen Rivalen unterscheiden:</translation>
@@ -1352,6 +1372,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>They are the motion of</source>
       <translation>Sie sind die Bewegung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>This is the middle of a side, not its end: take it again.</source>
+      <translation>Das ist die Mitte einer Mantelfläche, nicht ihr Ende: bitte neu übernehmen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1384,7 +1409,7 @@
       <translation>Toleranzen…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/pointers.py" />
       <source>Tool point</source>
       <translation>Werkzeugpunkt</translation>
     </message>
@@ -2472,6 +2497,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>{symbol} of {body}, driven by {driver}: {size} µm rms over the readings</source>
       <translation>{symbol} von {body}, getrieben von {driver}: {size} µm Effektivwert über die Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>{what} stopped: {error}. Nothing was changed. The report view holds the details.</source>
+      <translation>{what} brach ab: {error}. Nichts wurde geändert. Einzelheiten stehen im Ausgabefenster.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

@@ -1299,6 +1299,11 @@
       <translation>파일 {line}번째 줄에 적혀 있습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The fit stopped: {error}. The report view holds the details; please send them in with the readings.</source>
+      <translation>맞춤이 중단되었습니다: {error}. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>The geometry does not show which part is which: choose bed and carriages.</source>
       <translation>형상만으로는 부품을 구분할 수 없습니다. 베드와 이송대를 선택하십시오.</translation>
@@ -1307,6 +1312,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The machine has changed since this trace. Trace again.</source>
       <translation>추적 뒤 기계가 바뀌었습니다. 다시 추적하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The middle of the far end was taken for the side.</source>
+      <translation>옆면 대신 먼 쪽 끝의 중심을 사용했습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1344,6 +1354,16 @@
       <translation>공구를 지지하는 슬라이더</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
+      <source>The tool reaches {length} mm past this point.</source>
+      <translation>공구가 이 점을 {length} mm 지나 뻗어 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_trace.py" />
+      <source>The trace stopped: {error}. Nothing was changed. The report view holds the details; please send them in with the readings.</source>
+      <translation>추적이 중단되었습니다: {error}. 변경된 것은 없습니다. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>These readings cannot tell it from its rivals:</source>
       <translation>이 측정값으로는 다음 후보와 구별할 수 없습니다:</translation>
@@ -1352,6 +1372,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>They are the motion of</source>
       <translation>측정한 운동은</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_machine.py" />
+      <source>This is the middle of a side, not its end: take it again.</source>
+      <translation>옆면의 중심이며 끝이 아닙니다. 다시 가져오십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1384,7 +1409,7 @@
       <translation>공차…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/pointers.py" />
       <source>Tool point</source>
       <translation>공구점</translation>
     </message>
@@ -2472,6 +2497,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>{symbol} of {body}, driven by {driver}: {size} µm rms over the readings</source>
       <translation>{body}의 {symbol}, 구동 변수 {driver}: 측정값 전체에서 rms {size} µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>{what} stopped: {error}. Nothing was changed. The report view holds the details.</source>
+      <translation>{what}이(가) 중단되었습니다: {error}. 변경된 것은 없습니다. 자세한 내용은 보고서 창에 있습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

@@ -16,6 +16,8 @@ from .picture import label, set_image
 AXIS_COLOURS = {"X": (0.83, 0.18, 0.16), "Y": (0.16, 0.58, 0.22), "Z": (0.12, 0.40, 0.84)}
 OFFSET_COLOUR = (0.93, 0.50, 0.05)
 POINT_COLOUR = (0.55, 0.15, 0.65)
+TOOL_COLOUR = (0.05, 0.05, 0.05)
+OUTLINE_COLOUR = (0.80, 0.10, 0.40)
 
 
 @dataclass(frozen=True)
@@ -86,18 +88,23 @@ def _text(arrow: Arrow):
 
 
 class Arrows:
-    """The arrows' nodes.  `root` goes into the scene graph; `show` replaces what is drawn."""
+    """The arrows' nodes, and outlines of parts.  `root` goes into the scene graph; `show` replaces what is drawn."""
 
     def __init__(self):
         self.root = unbounded()
         self._note = coin.SoAnnotation()
         style = coin.SoPickStyle()
         style.style = coin.SoPickStyle.UNPICKABLE
-        self._content = coin.SoSeparator()
+        self._content, self._lines = coin.SoSeparator(), coin.SoSeparator()
         for child in (style, coin.SoResetTransform(), self._content):
             self._note.addChild(child)
+        around = coin.SoSeparator()  # not in front: the outline of a part hides behind others as the part does
+        for child in (style, coin.SoResetTransform(), self._lines):
+            around.addChild(child)
+        self.root.addChild(around)
         self.root.addChild(self._note)
         self.shown: tuple[Arrow, ...] = ()
+        self.outlined: tuple = ()
         self._drawn: dict = {}  # (arrow, thickness) -> its nodes
 
     def show(self, arrows, size: float) -> None:
@@ -120,5 +127,27 @@ class Arrows:
             if text is not None:
                 self._content.addChild(text)
 
+    def outline(self, lines) -> None:
+        """Draw lines, each a sequence of points (mm, document coordinates); none takes all away."""
+        lines = tuple(tuple(tuple(p) for p in line) for line in lines)
+        if lines == self.outlined:
+            return
+        self.outlined = lines
+        self._lines.removeAllChildren()
+        if not lines:
+            return
+        flat = coin.SoLightModel()
+        flat.model = coin.SoLightModel.BASE_COLOR
+        coordinates, shape = coin.SoCoordinate3(), coin.SoLineSet()
+        points = [p for line in lines for p in line]
+        coordinates.point.setValues(0, len(points), points)
+        shape.numVertices.setValues(0, len(lines), [len(line) for line in lines])
+        style, material = coin.SoDrawStyle(), coin.SoMaterial()
+        style.lineWidth = 3.0
+        material.diffuseColor = OUTLINE_COLOUR
+        for child in (flat, style, material, coordinates, shape):
+            self._lines.addChild(child)
+
     def clear(self) -> None:
         self.show((), 1.0)
+        self.outline(())

@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import os
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 from ..core.refusal import Refused
 from ..document import extract, factory, results
 from ..formats import report, sensitivity_out
 from ..formats.files import staged
-from . import messages, settings
+from . import messages, settings, state
 from .qt import pump, translate
 
 PICTURE = "view.png"
@@ -26,7 +27,7 @@ def view_of(doc):
 
 
 def picture(doc, width: int = 1600, height: int = 1100, background: str = "White") -> bytes | None:
-    """PNG of the 3D view with its legend, or None without a view."""
+    """PNG of the 3D view with its legend, or None without a view.  What is selected does not show in it."""
     view = view_of(doc)
     if view is None:
         return None
@@ -34,10 +35,31 @@ def picture(doc, width: int = 1600, height: int = 1100, background: str = "White
     handle, path = tempfile.mkstemp(suffix=".png")
     os.close(handle)
     try:
-        view.saveImage(path, width, height, background)
+        with unselected(doc):
+            view.saveImage(path, width, height, background)
         return Path(path).read_bytes()
     finally:
         os.unlink(path)
+
+
+@contextmanager
+def unselected(doc):
+    """Nothing of a document is selected inside, so that each part has the colour of its index; then it is again."""
+    import FreeCADGui as Gui
+
+    kept = [(s.Object.Name, sub) for s in Gui.Selection.getSelectionEx(doc.Name, 0)
+            for sub in s.SubElementNames or ("",)]  # fmt: skip
+    if not kept:
+        yield
+        return
+    with state.quietly(doc):
+        Gui.Selection.clearSelection(doc.Name)
+        pump()
+        try:
+            yield
+        finally:
+            for name, sub in kept:
+                Gui.Selection.addSelection(doc.Name, name, sub)
 
 
 def export(machine, folder) -> list[Path]:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import traceback
 from contextlib import contextmanager
 
 import FreeCAD as App
@@ -25,6 +26,19 @@ def show(text: str, title: str = "Sens Workbench"):
 def refused(error: Refused, doc):
     """Show a refusal; where the document is damaged, with the command that mends it."""
     return show(error.message + repair_hint(doc))
+
+
+def log(error: BaseException) -> None:
+    """Write an exception that is a defect of the program, with where it came from, to the report view."""
+    lines = traceback.format_exception(type(error), error, error.__traceback__)
+    App.Console.PrintError("Sens Workbench: " + "".join(lines))
+
+
+def stopped(error: Exception, what: str):
+    """Say that a command ended in a defect of the program; its details go to the report view."""
+    log(error)
+    words = translate("Sens", "{what} stopped: {error}. Nothing was changed. The report view holds the details.")
+    return show(words.format(what=what, error=f"{type(error).__name__}: {error}".rstrip(".")))
 
 
 def repair_hint(doc) -> str:
@@ -59,6 +73,9 @@ def change(doc, name: str, function) -> bool:
         return False
     except Cancelled:
         status(translate("Sens", "Cancelled; nothing was changed"))
+        return False
+    except Exception as error:  # noqa: BLE001 - a defect: said where the person looks, and written to the report view
+        stopped(error, name)
         return False
     return True
 

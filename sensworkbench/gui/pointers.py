@@ -3,12 +3,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import FreeCAD as App
+import Part
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, factory, paths
-from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, Arrow
+from ..document import extract, factory, geometry, paths
+from . import state
+from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
 from .qt import translate
 from .texts import body_name
 
@@ -81,22 +85,34 @@ def extent(machine) -> float:
     return box.DiagonalLength if box.isValid() else 1000.0
 
 
-_sizes: dict[tuple[str, str], float] = {}
+def tool_mark(machine) -> list[Arrow]:
+    """A mark where the tool point is now; none where it is not chosen or cannot be found."""
+    try:
+        where = paths.place(machine.ToolPoint) if machine.ToolPoint else None
+        point = None if where is None else geometry.point(where, "Automatic")[0]
+    except Refused:
+        return []
+    if point is None:
+        return []
+    text = translate("Sens", "Tool point") + f"\nx {point.x:.1f}   y {point.y:.1f}   z {point.z:.1f} mm"
+    return [Arrow(tuple(point), tuple(point), TOOL_COLOUR, text, below=True)]
 
 
-def show(machine, bodies, *, detail: bool = True) -> None:
-    """Draw the arrows of some bodies; none of them clears the view."""
+def show(machine, bodies, *, detail: bool = True, tool: bool = False) -> None:
+    """Draw the arrows of some bodies, and with `tool` the mark of the tool point; nothing to draw clears the view."""
     proxy = machine.ViewObject.Proxy
     if not hasattr(proxy, "arrows"):
         return
     bodies = [b for b in bodies if b != "F"]
-    if not bodies:
+    mark = tool_mark(machine) if tool else []
+    if not bodies and not mark:
         proxy.arrows.clear()
         return
-    key = (machine.Document.Name, machine.Name)
-    if key not in _sizes:
-        _sizes[key] = extent(machine)
-    proxy.arrows.show(arrows(machine, bodies, detail=detail), _sizes[key])
+    sizes = state.of(machine.Document).sizes
+    if machine.Name not in sizes:
+        sizes[machine.Name] = extent(machine)
+    proxy.arrows.outline(())
+    proxy.arrows.show([*arrows(machine, bodies, detail=detail), *mark], sizes[machine.Name])
 
 
 def clear(machine) -> None:
@@ -106,6 +122,51 @@ def clear(machine) -> None:
         return
     if hasattr(proxy, "arrows"):
         proxy.arrows.clear()
+
+
+def point_at(machine, bodies) -> None:
+    """Draw the arrows of some bodies and the outlines of their parts, and select their objects in the tree.
+
+    The parts themselves are not selected: they keep the colour of their index.
+    """
+    import FreeCADGui as Gui
+
+    Gui.Selection.clearSelection(machine.Document.Name)
+    for body in bodies:
+        obj = factory.body_of(machine, body)
+        if obj is not None:
+            Gui.Selection.addSelection(obj)
+    show(machine, bodies)
+    if hasattr(machine.ViewObject.Proxy, "arrows"):
+        machine.ViewObject.Proxy.arrows.outline(outlines(machine, bodies))
+
+
+MOST_EDGES = 600  # of a part whose edges are drawn; one with more is shown by its bounding box
+
+
+def outlines(machine, bodies) -> list:
+    """The edges of the parts of some bodies as lines, each a list of points (mm, document coordinates)."""
+    lines = []
+    for body in bodies:
+        for where in extract.parts_of(machine, body):
+            for leaf in paths.leaves(where):
+                shape = leaf.shape()
+                if shape is not None and not shape.isNull():
+                    lines += _edges(shape)
+    return lines
+
+
+def _edges(shape) -> list:
+    size = shape.BoundBox.DiagonalLength
+    edges = shape.Edges
+    if len(edges) <= MOST_EDGES:
+        with suppress(Part.OCCError, RuntimeError, ArithmeticError):  # a broken curve: the box is always there
+            return [[tuple(p) for p in edge.discretize(Deflection=max(1e-3, size / 400))] for edge in edges
+                    if not edge.Degenerated]  # fmt: skip
+    box = shape.BoundBox
+    low, high = (box.XMin, box.YMin, box.ZMin), (box.XMax, box.YMax, box.ZMax)
+    corners = [[(low, high)[i >> k & 1][k] for k in range(3)] for i in range(8)]
+    return [[corners[i], corners[i | 1 << k]] for i in range(8) for k in range(3) if not i >> k & 1]
 
 
 def select_parts(machine, bodies) -> None:
@@ -120,4 +181,4 @@ def select_parts(machine, bodies) -> None:
 
 def forget(machine) -> None:
     """Measure the machine again when its arrows are drawn next."""
-    _sizes.pop((machine.Document.Name, machine.Name), None)
+    state.of(machine.Document).sizes.pop(machine.Name, None)

@@ -13,7 +13,7 @@ import FreeCADGui as Gui
 from ..core.refusal import Refused
 from ..document import extract, factory
 from ..document.base import alive, kind_of
-from . import display, messages, pointers
+from . import display, messages, pointers, state
 from .bars import ComponentBars
 from .qt import Qt, QtCore, QtGui, later, main_window, translate
 from .ranking import Ranking
@@ -123,7 +123,6 @@ class Review(QtGui.QDockWidget):
         super().__init__(translate("Sens", "Sensitivity review"), parent)
         self.setObjectName("SensReview")
         self.key = ("", "")
-        self._linking = False
         self._timer = QtCore.QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.refresh)
@@ -178,10 +177,16 @@ class Review(QtGui.QDockWidget):
         return row
 
     def _run(self, command: str):
-        if self.machine is not None:
+        """Run a command on the machine that is shown, whatever is selected and whichever document is in front."""
+        machine = self.machine
+        if machine is None:
+            return
+        if App.ActiveDocument is not machine.Document:
+            App.setActiveDocument(machine.Document.Name)
+        with state.quietly(machine.Document):
             Gui.Selection.clearSelection()
-            Gui.Selection.addSelection(self.machine)
-            Gui.runCommand(command, 0)
+            Gui.Selection.addSelection(machine)
+        Gui.runCommand(command, 0)
 
     def _picture(self):
         from .export import save_picture
@@ -195,11 +200,7 @@ class Review(QtGui.QDockWidget):
     # -- what is shown -----------------------------------------------------------------------------------------------
     @property
     def machine(self):
-        document, name = self.key
-        if document not in App.listDocuments():
-            return None
-        obj = App.getDocument(document).getObject(name)
-        return obj if obj is not None and kind_of(obj) == "Machine" and alive(obj) else None
+        return _machine(self.key)
 
     @property
     def result(self):
@@ -207,10 +208,11 @@ class Review(QtGui.QDockWidget):
         return factory.sensitivity_of(machine) if machine is not None else None
 
     def set_machine(self, machine) -> None:
-        key = (machine.Document.Name, machine.Name)
-        if key != self.key:
+        key, before = (machine.Document.Name, machine.Name), self.key
+        state.of(machine.Document).reviewed = machine.Name
+        if key != before:
             self.key = key
-            self.ranking.forget()  # what was chosen belonged to another machine
+            self._left(before)
         self.refresh()
 
     def soon(self):
@@ -218,13 +220,31 @@ class Review(QtGui.QDockWidget):
         if self.isVisible():
             self._timer.start(0)
 
+    def _follow_document(self) -> None:
+        """Turn to the document in front: to the machine that was reviewed in it before, else to its first one."""
+        doc = App.ActiveDocument
+        if doc is None:
+            self.key = ("", "")
+            return
+        if self.machine is not None and self.key[0] == doc.Name:
+            return
+        before = self.key
+        here = [m.Name for m in factory.machines(doc) if alive(m)]
+        name = state.of(doc).reviewed
+        self.key = (doc.Name, name if name in here else here[0] if here else "")
+        if self.key != before:
+            self._left(before)
+
+    def _left(self, key) -> None:
+        """What was chosen belonged to another machine."""
+        self.ranking.forget()
+        before = _machine(key)
+        if before is not None:
+            pointers.clear(before)
+
     def refresh(self) -> None:
+        self._follow_document()
         machine, result = self.machine, self.result
-        if machine is None and App.ActiveDocument is not None:
-            others = factory.machines(App.ActiveDocument)
-            if others:
-                self.key = (others[0].Document.Name, others[0].Name)
-                machine, result = self.machine, self.result
         ready = display.ready(result)
         self.tabs.setEnabled(machine is not None)
         self.head.setText(self._heading(machine, result if ready else None))
@@ -240,7 +260,7 @@ class Review(QtGui.QDockWidget):
         if machine is None:
             return translate("Sens", "No machine in this document. Start with <b>Machine from Selection…</b> "
                                      "or <b>Example Machine</b>.")  # fmt: skip
-        name = _escape(machine.Label)
+        name = f"{_escape(machine.Label)}</b> ({_escape(machine.Document.Label)})<b>"
         if machine.Problem:
             return f"<b>{name}</b><br><span style='color:#c0392b'>{_escape(machine.Problem)}</span>"
         if result is None:
@@ -256,24 +276,21 @@ class Review(QtGui.QDockWidget):
 
     # -- linked selection --------------------------------------------------------------------------------------------
     def choose(self, bodies) -> None:
-        """Components or errors were chosen here: light up their parts, draw their arrows."""
+        """Components or errors were chosen here: outline their parts, draw their arrows, select them in the tree."""
         machine = self.machine
-        if machine is None or self._linking:
+        if machine is None:
             return
-        self._linking = True
-        try:
-            pointers.select_parts(machine, bodies)
-            pointers.show(machine, bodies)
-            self.bars.choose(bodies[0] if len(bodies) == 1 else "")
-        except Refused as error:
-            messages.status(error.message)
-        finally:
-            self._linking = False
+        with state.quietly(machine.Document):
+            try:
+                pointers.point_at(machine, bodies)
+                self.bars.choose(bodies[0] if len(bodies) == 1 else "")
+            except Refused as error:
+                messages.status(error.message)
 
     def picked(self, document: str, name: str, sub: str) -> None:
-        """A part or axis was clicked: choose its errors here and draw its arrows."""
+        """A part, axis or effect was clicked: choose its errors here and draw its arrows."""
         machine = self.machine
-        if machine is None or self._linking or document != machine.Document.Name:
+        if machine is None or document != machine.Document.Name or state.of(document).quiet:
             return
         obj = machine.Document.getObject(name)
         if obj is None:
@@ -285,17 +302,14 @@ class Review(QtGui.QDockWidget):
             )
         except Refused:
             return
-        self._linking = True
-        try:
+        with state.quietly(machine.Document):
             self.ranking.choose_body(body or "")
             self.bars.choose(body or "")
             pointers.show(machine, [body] if body else [])
-        finally:
-            self._linking = False
 
     def unpicked(self) -> None:
         machine = self.machine
-        if machine is not None and not self._linking:
+        if machine is not None and not state.of(machine.Document).quiet:
             pointers.clear(machine)
 
     def showEvent(self, event):
@@ -303,6 +317,7 @@ class Review(QtGui.QDockWidget):
             self._watching = True
             Gui.Selection.addObserver(self._watch)
             App.addDocumentObserver(self._follow)
+        self.soon()  # the document in front may be another one than when it was closed
         super().showEvent(event)
 
     def closeEvent(self, event):
@@ -313,6 +328,15 @@ class Review(QtGui.QDockWidget):
             if self.machine is not None:
                 pointers.clear(self.machine)
         super().closeEvent(event)
+
+
+def _machine(key):
+    """The machine of (document, name), or None where it is gone."""
+    document, name = key
+    if document not in App.listDocuments():
+        return None
+    obj = App.getDocument(document).getObject(name) if name else None
+    return obj if obj is not None and kind_of(obj) == "Machine" and alive(obj) else None
 
 
 def _escape(text: str) -> str:

@@ -103,10 +103,11 @@ class Observer:
         look_soon(doc)
 
     def slotDeletedDocument(self, doc):
-        from . import panel
+        from . import panel, state
 
         _seen.discard(doc.Name)
         panel.document_gone(doc.Name)
+        state.forget(doc.Name)
 
     def slotDeletedObject(self, obj):
         # FreeCAD 1.0 cannot undo the making of an object whose links it has yet to take back ("invalid container", and

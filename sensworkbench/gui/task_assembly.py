@@ -11,7 +11,7 @@ import FreeCADGui as Gui
 
 from ..core.refusal import Refused
 from ..document import assembly as reader
-from ..document import joints
+from ..document import geometry, joints, paths, tips
 from . import messages, settings
 from .panel import show as show_panel
 from .preferences import combo
@@ -35,7 +35,7 @@ class TaskAssembly:
                 translate("Sens", "the document holds no assembly"), doc.Label,
                 translate("Sens", "Use Machine from Selection."),
             )  # fmt: skip
-        self.tool_point = None
+        self.tool_point, self.tip = None, None
         self.reading = None
         self.form = QtGui.QWidget()
         self.form.setObjectName("SensAssembly")
@@ -103,10 +103,18 @@ class TaskAssembly:
             lines.append(translate("Sens", "Held by nothing, left out: {names}").format(names=names))
         self.note.setText("\n".join([*lines, *self.reading.notes]))
         where = self.tool_point
-        self.point.setText(
-            " ".join(p for p in (where[0].Label, where[1].split(".")[-1]) if p) if where
-            else translate("Sens", "a coordinate system named TCP or tool tip, if there is one")
-        )  # fmt: skip
+        if not where:
+            self.point.setText(translate("Sens", "a coordinate system named TCP or tool tip, if there is one"))
+            return
+        point = self.tip.point
+        words = [" ".join(p for p in (where[0].Label, where[1].split(".")[-1]) if p)]
+        words.append(f"x {point.x:.2f}   y {point.y:.2f}   z {point.z:.2f} mm")
+        if self.tip.moved:
+            words.append(translate("Sens", "The middle of the far end was taken for the side."))
+        if self.tip.beyond > 0.5:
+            text = translate("Sens", "The tool reaches {length} mm past this point.")
+            words.append(text.format(length=f"{self.tip.beyond:.1f}"))
+        self.point.setText("\n".join(words))
 
     def _chosen(self):
         """(tool side, workpiece side)."""
@@ -119,8 +127,23 @@ class TaskAssembly:
             self.note.setText(translate("Sens", "Select a coordinate system, vertex, edge or face at the tool's tip"))
             return
         subs = picked[0].SubElementNames
-        self.tool_point = (picked[0].Object, subs[0] if subs else "")
+        try:
+            self.tip = tips.tip((picked[0].Object, subs[0] if subs else ""), self._carrier(picked[0]))
+        except Refused as error:
+            self.note.setText(error.message)
+            return
+        self.tool_point = (self.tip.link[0], self.tip.link[1][0])
         self.show()
+
+    def _carrier(self, picked):
+        """A point of what carries the tool, the picked part apart; None where there is nothing else."""
+        if self.reading is None:
+            return None
+        tool, _ = self._chosen()
+        group = self.reading.groups[tool[-1].outer if tool else self.reading.bed]
+        chosen = paths.place((picked.Object, picked.SubElementNames[0] if picked.SubElementNames else ""))
+        others = [p for p in group.parts if p.key != chosen.key[: len(p.key)]]
+        return geometry.centre_of_mass(others)
 
     def make(self):
         """Make the machine as chosen.  The caller opens the transaction."""

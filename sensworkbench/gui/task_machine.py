@@ -13,7 +13,7 @@ from ..core.errors import AXES
 from ..core.machine import structure_chains
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from ..document import factory, paths, refresh
+from ..document import factory, geometry, paths, refresh, tips
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
 from .panel import show as show_panel
@@ -56,6 +56,7 @@ class TaskMachine:
         self.machine, self.document = machine, machine.Document
         self.body = body or "F"
         self._quiet = False
+        self.end_of = False  # an end was taken where a side was pointed at
         self.form = QtGui.QWidget()
         self.form.setObjectName("SensMachine")
         self.form.setWindowTitle(machine.Label)
@@ -89,7 +90,12 @@ class TaskMachine:
         self.tool_point = Source(self._take_tool_point, None)
         rows.addRow(translate("Sens", "Structure"), self.structure)
         rows.addRow("", self.chain_words)
+        self.tool_words = QtGui.QLabel()
+        self.tool_words.setObjectName("SensToolPoint")
+        self.tool_words.setWordWrap(True)
+        self.tool_words.setTextInteractionFlags(Qt.TextSelectableByMouse)
         rows.addRow(translate("Sens", "Tool point"), self.tool_point)
+        rows.addRow("", self.tool_words)
         rows.addRow(translate("Sens", "Squareness"), self.squareness)
         return group
 
@@ -184,6 +190,7 @@ class TaskMachine:
             self.chain_words.setText(structure_words(code) if code in STRUCTURES else "")
             write_field(self.squareness, machine.Squareness)
             self.tool_point.show(source_words(machine.ToolPoint), bool(machine.ToolPoint))
+            self.tool_words.setText(self._tool_words())
             for i, body in enumerate(BODIES):
                 item = self.table.topLevelItem(i)
                 item.setText(1, words_of(self.links(body)) or translate("Sens", "(none)"))
@@ -222,9 +229,9 @@ class TaskMachine:
             self._quiet = False
         pointers.forget(machine)
         if self.body != "F":
-            pointers.show(machine, [self.body])
+            pointers.show(machine, [self.body], tool=True)
         else:  # a proposal begins with all of its axes in view
-            pointers.show(machine, AXES if self.guess.given else [])
+            pointers.show(machine, AXES if self.guess.given else [], tool=True)
 
     def _found_words(self, owner) -> str:
         if self.body == "F" or owner is None or self.machine.Problem:
@@ -311,10 +318,36 @@ class TaskMachine:
 
     def _take_tool_point(self):
         def change():
-            self.machine.ToolPoint = self._one()
+            found = tips.tip(self._one(), *self._tool())
+            self.machine.ToolPoint = found.link
+            self.end_of = found.moved
             self.guess.drop("tool point")
 
         self._try(change)
+
+    def _tool(self):
+        """(a point of what carries the tool or None, the parts of the tool)."""
+        carrier = next((links for b in (*reversed(list(self.machine.ToolChain)), "F") if (links := self.links(b))), [])
+        return geometry.centre_of_mass(paths.places(carrier)), paths.places(self.links("T"))
+
+    def _tool_words(self) -> str:
+        """Where the tool point is, that it is the end of what was pointed at, and what reaches past it."""
+        if not self.machine.ToolPoint:
+            return ""
+        try:
+            found = tips.tip(self.machine.ToolPoint, *self._tool())
+            where, _ = geometry.point(paths.place(self.machine.ToolPoint), "Automatic")
+        except Refused as error:
+            return error.message
+        lines = [f"x {where.x:.2f}   y {where.y:.2f}   z {where.z:.2f} mm"]
+        if self.end_of:
+            lines.append(translate("Sens", "The middle of the far end was taken for the side."))
+        if found.moved:  # of a file from before the end was taken
+            lines.append(translate("Sens", "This is the middle of a side, not its end: take it again."))
+        elif found.beyond > 0.5:
+            words = translate("Sens", "The tool reaches {length} mm past this point.")
+            lines.append(words.format(length=f"{found.beyond:.1f}"))
+        return "\n".join(lines)
 
     def _take_direction(self):
         self._try(lambda: self._put_source("DirectionSource", self._one()))

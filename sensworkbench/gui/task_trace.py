@@ -119,6 +119,7 @@ class TaskTrace:
     # -- running -----------------------------------------------------------------------------------------------------
     def _begin(self, function, then, words: str) -> None:
         self._then, self._words = then, words
+        self.note.setStyleSheet("")
         self.task = Task(function)
         self.task.thread.start()
         self._poll.start(POLL)
@@ -203,9 +204,20 @@ class TaskTrace:
         if isinstance(task.error, (Refused, Cancelled)):
             self.note.setText(getattr(task.error, "message", str(task.error)))
         elif task.error is not None:
-            raise task.error
+            messages.log(task.error)
+            self._stopped(task.error)
         else:
             then(task.result)
+
+    def _stopped(self, error: Exception) -> None:
+        """Say in the panel that the work ended in a defect of the program, and where its details are."""
+        words = translate("Sens", "The trace stopped: {error}. Nothing was changed. The report view holds the details; "
+                                  "please send them in with the readings.")  # fmt: skip
+        if self._then == self._fitted:
+            words = translate("Sens", "The fit stopped: {error}. The report view holds the details; "
+                                      "please send them in with the readings.")  # fmt: skip
+        self.note.setText(words.format(error=f"{type(error).__name__}: {error}".rstrip(".")))
+        self.note.setStyleSheet("color: #c0392b")
 
     # -- showing -----------------------------------------------------------------------------------------------------
     def _sync(self) -> None:

@@ -13,7 +13,7 @@ from sensworkbench.core.workspace import Cancelled
 from sensworkbench.gui import live
 from sensworkbench.gui.qt import QtCore, QtGui, main_window, pump
 
-from .conftest import differences, run, state
+from .conftest import close_messages, differences, messages, report_view, run, state
 
 
 def test_long_work_can_be_cancelled_and_keeps_the_old_result(machine, machine_doc):
@@ -67,3 +67,48 @@ def test_dropped_windows_are_deleted_in_the_event_loop_only(workbench):
     gc.collect()
     pump(30)
     assert deleted_in == [threading.main_thread()] * 4
+
+
+@pytest.mark.parametrize("stage, begins", [("trace", "The trace stopped:"), ("fit", "The fit stopped:")])
+def test_an_error_of_background_work_is_said_in_the_panel(machine, machine_doc, tmp_path, monkeypatch, stage, begins):
+    from sensworkbench.closedloop import declared
+    from sensworkbench.closedloop import trace as tracing
+    from sensworkbench.document import closed_loop, extract
+    from sensworkbench.gui.task_trace import open_panel
+
+    from ..document import simulated
+
+    def fails(*_, **__):
+        raise IndexError("size 42000 is different from 12000")
+
+    module, name = (tracing, "trace") if stage == "trace" else (declared, "declared_fit")
+    monkeypatch.setattr(module, name, fails)
+    rows = simulated.table(extract.core_machine(machine))
+    table = closed_loop.make_readings(machine, simulated.write(tmp_path / "measured.csv", rows))
+    before = state(machine_doc)
+    panel = open_panel(table, start=stage == "trace")
+    end = time.monotonic() + 60
+    while not panel.note.text().startswith(begins):
+        assert time.monotonic() < end, panel.note.text()
+        pump(20)
+    assert "size 42000 is different from 12000" in panel.note.text()
+    assert panel.task is None and panel.run.isEnabled()
+    logged = "\n".join(view.toPlainText() for view in report_view())
+    assert "Traceback" in logged and "IndexError" in logged
+    for view in report_view():
+        view.clear()
+    assert differences(before, state(machine_doc)) == []
+    panel.reject()
+
+
+def test_a_command_that_ends_in_a_defect_says_so(machine, machine_doc, monkeypatch):
+    from sensworkbench.core import workspace
+
+    before = state(machine_doc)
+    monkeypatch.setattr(workspace, "sensitivity", lambda *_, **__: 1 / 0)
+    run("Sens_Sensitivity")
+    assert any("Sensitivity stopped: ZeroDivisionError" in m for m in messages())
+    close_messages()
+    for view in report_view():
+        view.clear()
+    assert differences(before, state(machine_doc)) == []

@@ -296,8 +296,13 @@ def test_choosing_an_error_lights_up_its_parts_and_shows_arrows(machine, machine
     item = next(i for i in dock.ranking.items() if i.text(1) == "EAZ")
     dock.ranking.table.setCurrentItem(item)
     pump(30)
-    chosen = {s.Object.Name for s in Gui.Selection.getSelectionEx("", 1)}
-    assert chosen == {p.object.Name for p in extract.parts_of(machine, "Z")}
+    assert Gui.Selection.getSelection() == [factory.axis_of(machine, "Z")]  # in the tree; the parts are outlined
+    outline = np.array([p for line in machine.ViewObject.Proxy.arrows.outlined for p in line])
+    box = App.BoundBox()
+    for leaf in pointers.paths.leaves(extract.parts_of(machine, "Z")[0]):
+        box.add(leaf.shape().BoundBox)
+    assert outline.min(axis=0) == pytest.approx([box.XMin, box.YMin, box.ZMin], abs=3)
+    assert outline.max(axis=0) == pytest.approx([box.XMax, box.YMax, box.ZMax], abs=3)
     arrows = machine.ViewObject.Proxy.arrows.shown
     texts = " ".join(a.text for a in arrows)
     offset = factory.axis_of(machine, "Z").AbbeOffset
