@@ -17,7 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from sensworkbench.core import sobol, synthesis, workspace
 from sensworkbench.core.distributions import Tolerance, moments
-from sensworkbench.core.machine import Axis, Machine, structure_chains
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine, structure_chains
 
 SMALL = np.array([[1, -1 / 5, 0], [0, 1 / 10, 1], [0, 0, 0]])  # T1 = X1 - X2/5, T2 = X2/10 + X3
 LIMITS = {"symmetric": ((-1, -20, -5), (1, 20, 5)), "asymmetric": ((0, -10, -5), (2, 30, 5))}
@@ -35,9 +36,9 @@ def machine(squareness: str) -> Machine:
     """XYFZ: table X on saddle Y, head Z on a column behind the table; the paper's tolerances by default."""
     workpiece_chain, tool_chain = structure_chains("XYFZ")
     axes = {
-        "X": Axis("X", (1, 0, 0), (0, 0, -120), (-300, 300)),  # guide blocks under the table
-        "Y": Axis("Y", (0, 1, 0), (0, 0, -250), (-200, 200)),  # guide blocks under the saddle
-        "Z": Axis("Z", (0, 0, 1), (0, 450, 500), (-150, 150)),  # guide blocks on the column's face
+        "X": linear("X", (1, 0, 0), (0, 0, -120), (-300, 300)),  # guide blocks under the table
+        "Y": linear("Y", (0, 1, 0), (0, 0, -250), (-200, 200)),  # guide blocks under the saddle
+        "Z": linear("Z", (0, 0, 1), (0, 450, 500), (-150, 150)),  # guide blocks on the column's face
     }
     return Machine("C frame", workpiece_chain, tool_chain, axes, (0, 0, 200), squareness=squareness)
 

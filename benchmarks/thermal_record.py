@@ -22,7 +22,8 @@ sys.path.insert(0, str(ROOT))
 
 from sensworkbench.closedloop.predict import predict  # noqa: E402
 from sensworkbench.closedloop.trace import trace  # noqa: E402
-from sensworkbench.core.machine import Axis, Machine  # noqa: E402
+from sensworkbench.core.joints import linear  # noqa: E402
+from sensworkbench.core.machine import Machine  # noqa: E402
 from sensworkbench.formats import readings_csv  # noqa: E402
 
 RECORD = ROOT.parent / "shared" / "data" / "fl_thermal_60s.csv"
@@ -31,7 +32,7 @@ TRAINED = 0.6
 
 def machine() -> Machine:
     """Any machine will do: the spindle stands still, and only what moves it along the channel shows."""
-    axes = {k: Axis(k, tuple(np.eye(3)[i]), (0.0, 0.0, 0.0), (-300.0, 300.0)) for i, k in enumerate("XYZ")}
+    axes = {k: linear(k, tuple(np.eye(3)[i]), (0.0, 0.0, 0.0), (-300.0, 300.0)) for i, k in enumerate("XYZ")}
     return Machine("fixed spindle", ("X",), ("Y", "Z"), axes, (0.0, 0.0, 0.0))
 
 

@@ -498,8 +498,9 @@ BLOCKER = """
 RUN = """
     import json
     from sensworkbench.core import workspace
-    from sensworkbench.core.machine import Axis, Machine
-    axes = {{k: Axis(k, d, (0, 0, 0), (0, 100)) for k, d in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))}}
+    from sensworkbench.core.joints import linear
+    from sensworkbench.core.machine import Machine
+    axes = {{k: linear(k, d, (0, 0, 0), (0, 100)) for k, d in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1)))}}
     machine = Machine("m", ("Y", "X"), ("Z",), axes, (0, 0, -150))
     result = workspace.sensitivity(machine)
     print(json.dumps({{s: t for s, t in zip(result.symbols, result.total)}}))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .errors import COMPONENTS, PAPER_SYMBOLS, component
+from .errors import COMPONENTS, PAPER_SYMBOLS, Component, component
 from .refusal import Refused
 
 UM, URAD = 1e-3, 1e-6  # in mm and rad
@@ -115,7 +115,11 @@ def moments(tolerances) -> Moments:
 def paper_tolerance(symbol: str) -> Tolerance:
     """Park & Yang 2012 section 4, uniform: straightness +-5 um, linear displacement +-1 um, spindle axial +-0.5 and
     radial +-2 um, the nine angles and three squareness errors +-20 urad; spindle angles and workpiece zero."""
-    c = component(symbol)
+    return paper_tolerance_of(component(symbol))
+
+
+def paper_tolerance_of(c: Component) -> Tolerance:
+    """`paper_tolerance` of a component: +-1 um along a linear joint's own axis, +-5 um across it, +-20 urad."""
     if c.body == "W" or (c.body == "T" and c.angular):
         half = 0.0
     elif c.angular:
@@ -123,7 +127,7 @@ def paper_tolerance(symbol: str) -> Tolerance:
     elif c.body == "T":
         half = (0.5 if c.axis == 2 else 2) * UM
     else:
-        half = (1 if "XYZ"[c.axis] == c.body else 5) * UM
+        half = (1 if c.axis == c.along else 5) * UM
     return Tolerance(-half, half, "uniform")
 
 

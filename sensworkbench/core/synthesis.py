@@ -1,16 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Error synthesis: component x lever arm -> columns of Omega, the only place where Omega is made.
 
-First order (Park & Yang 2012 eq. 1; ISO 230-1 signs, tool relative to workpiece, in the machine frame):
-T = sum_k [d_k + e_k x r_k] + sum_k q_k (s_k x u_k) + d_T + e_T x r_T + d_W + e_W x r_W.  The exact product of
-transformation matrices stands beside it as the reference; second-order coupling is about 2 nm on usual machines.
+First order (Park & Yang 2012 eq. 1; ISO 230-1 and 230-7 signs, tool relative to workpiece).  With G the nominal pose of
+what carries a joint, s = +1 on the tool side and -1 on the workpiece side and xi its unit twist:
+a motion of its body is Ad(G) of the unit twist at its reference point where that now is; an error eta of its axis line
+is s Ad(G) (eta - Ad(exp(s q xi)) eta), or s Ad(G) eta where squareness is "carried"; and every column is seen from the
+workpiece, Ad(G_W^-1), at the functional point.  For linear joints X, Y, Z this is
+T = sum_k [d_k + e_k x r_k] + sum_k q_k (s_k x u_k) + d_T + e_T x r_T + d_W + e_W x r_W.
+The exact product of transformation matrices stands beside it as the reference; second-order coupling is about 2 nm on
+usual machines.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from .errors import AXES, SQUARENESS, TRANSLATION, component
+from .errors import ENDS, Component
+from .joints import Pose, cross, identity
 from .machine import Machine
 
 POSITION, ORIENTATION = "position", "orientation"
@@ -19,64 +25,111 @@ POSITION, ORIENTATION = "position", "orientation"
 def omega(machine: Machine, symbols, q, tool_offset=None, output: str = POSITION) -> np.ndarray:
     """(P, 3, n) coefficients of the errors `symbols` in T4..T6 (or R1..R3 with output="orientation").
 
-    q : (P, 3) programmed positions, mm.  tool_offset : None, (3,) or (P, 3), mm.  Columns are mm per mm, mm per rad,
-    rad per rad.  The memory layout is position-last (a view of (3, n, P)), which is what `sobol` reads fastest.
+    q : (P, joints) programmed positions, mm or rad, in the order of `machine.names`.  tool_offset : None, (3,) or (P,
+    3), mm.  Columns are mm per mm, mm per rad, rad per rad, in the frame of the workpiece.  The memory layout is
+    position-last (a view of (3, n, P)), which is what `sobol` reads fastest.
     """
-    q = np.asarray(q, dtype=float).reshape(-1, 3)
-    parts = [component(s) for s in symbols]
-    arms = machine.lever_arms(q, tool_offset) if output == POSITION else {}
-    u = machine.directions
+    q = machine.positions(q)
+    parts = [machine.component(s) for s in symbols]
     out = np.zeros((3, len(parts), len(q)))
+    levers = _Levers(machine, q, tool_offset)
     for j, c in enumerate(parts):
-        turn = np.zeros(3)
-        turn[c.axis] = 1.0
-        if output == POSITION:
-            out[:, j, :] = _translation(machine, c, turn, arms, q, u).T
-        elif c.kind != TRANSLATION and (c.kind != SQUARENESS or machine.squareness == "carried"):
-            sign = machine.side(c.body) if c.kind == SQUARENESS else 1
-            out[:, j, :] = (sign * turn)[:, None]
+        column = levers.line(c, output) if c.line else levers.motion(c, output)
+        if column is not None:
+            out[:, j, :] = column
     return out.transpose(2, 0, 1)
 
 
-def _translation(machine, c, turn, arms, q, u):
-    if c.kind == TRANSLATION:
-        return np.broadcast_to(turn, q.shape)
-    if c.kind != SQUARENESS:
-        return np.cross(turn, arms[c.body])
-    column = q[:, [AXES.index(c.body)]] * np.cross(turn, u[c.body])
-    if machine.squareness == "carried":
-        column = column + machine.side(c.body) * np.cross(turn, arms[c.body])
-    return column
+class _Levers:
+    """Poses, reference points and the functional point at every position; columns of single components."""
+
+    def __init__(self, machine: Machine, q: np.ndarray, tool_offset):
+        self.machine, self.shape = machine, (3, len(q))
+        self.steps = machine.steps(q)
+        self.carriers = machine.carriers(q, self.steps)
+        self.tip = self.carriers["T"].move(machine._tool_point(tool_offset))
+        self.workpiece = self.carriers["W"]
+        self._arms: dict[str, np.ndarray] = {}
+
+    def _unit(self, c: Component) -> np.ndarray:
+        """The component's unit vector, in the machine frame: (3,), or (3, P) where something before it turns."""
+        return self.carriers[c.body].turn(np.eye(3)[c.axis])
+
+    def _now(self, body: str) -> np.ndarray:
+        """(3, P) or (3, 1) reference point where it now is, in the machine frame."""
+        reference, carrier = self.machine.references[body], self.carriers[body]
+        return carrier.move(reference if body in ENDS else self.steps[body].move(reference))
+
+    def _arm(self, body: str) -> np.ndarray:
+        if body not in self._arms:
+            self._arms[body] = self.tip - self._now(body)
+        return self._arms[body]
+
+    def motion(self, c: Component, output: str):
+        """Column of a motion of a body, (3, P) or (3, 1); None where it is zero."""
+        unit = self._unit(c)
+        if output == ORIENTATION:
+            return self._seen(unit) if c.angular else None
+        return self._seen(cross(unit, self._arm(c.body)) if c.angular else unit)
+
+    def line(self, c: Component, output: str):
+        """Column of an error of an axis line, (3, P) or (3, 1); None where it is zero."""
+        machine, carrier, step = self.machine, self.carriers[c.body], self.steps[c.body]
+        side, carried = machine.side(c.body), machine.squareness == "carried"
+        unit = self._unit(c)
+        turned = None  # the unit as the joint's own motion leaves it: a linear joint leaves it alone
+        if not carried and step.rotation is not None:
+            turned = carrier.turn(step.turn(np.eye(3)[c.axis]))
+        if output == ORIENTATION or not c.angular:
+            if c.angular == (output != ORIENTATION):  # a shift of the line turns nothing
+                return None
+            if carried:
+                return self._seen(side * unit)
+            return None if turned is None else self._seen(side * (_column(unit) - turned))
+        moved = self._now(c.body) - carrier.move(machine.references[c.body])
+        column = side * cross(unit, moved)
+        if carried:
+            column = column + side * cross(unit, self._arm(c.body))
+        elif turned is not None:
+            column = column + side * cross(_column(unit) - turned, self._arm(c.body))
+        return self._seen(column)
+
+    def _seen(self, vector) -> np.ndarray:
+        """`vector` in the frame of the workpiece."""
+        if self.workpiece.rotation is None:
+            return _column(vector)
+        return self.workpiece.back(np.broadcast_to(_column(vector), self.shape))
+
+
+def _column(vector) -> np.ndarray:
+    return vector[:, None] if vector.ndim == 1 else vector
 
 
 def volumetric_error(machine: Machine, values, q, tool_offset=None, output: str = POSITION) -> np.ndarray:
     """(P, 3) linear volumetric error (mm, or rad) of `values`: symbol -> scalar or (P,) in mm or rad."""
-    q = np.asarray(q, dtype=float).reshape(-1, 3)
+    q = machine.positions(q)
     symbols = list(values)
     x = np.stack([np.broadcast_to(np.asarray(values[s], dtype=float), len(q)) for s in symbols], axis=1)
     return np.einsum("pan,pn->pa", omega(machine, symbols, q, tool_offset, output), x)
 
 
 # -- the exact reference ---------------------------------------------------------------------------------------------
-def _rotation(e: np.ndarray) -> np.ndarray:
-    """(P, 3, 3) rotation matrices of rotation vectors (P, 3), Rodrigues."""
-    angle = np.linalg.norm(e, axis=1)[:, None, None]
-    k = np.zeros((len(e), 3, 3))
-    k[:, 0, 1], k[:, 0, 2], k[:, 1, 2] = -e[:, 2], e[:, 1], -e[:, 0]
-    k -= k.transpose(0, 2, 1)
-    return np.eye(3) + np.sinc(angle / np.pi) * k + 0.5 * np.sinc(angle / 2 / np.pi) ** 2 * (k @ k)
+def _displacement(turn: np.ndarray, shift: np.ndarray, point) -> Pose:
+    """Rigid motion: turn by the rotation vectors `turn` (3, P) about `point` and shift by `shift` (3, P)."""
+    angle = np.linalg.norm(turn, axis=0)
+    k = np.zeros((3, *turn.shape))
+    k[0, 1], k[0, 2], k[1, 2] = -turn[2], turn[1], -turn[0]
+    k -= k.transpose(1, 0, 2)
+    square = np.einsum("abp,bcp->acp", k, k)
+    rotation = np.eye(3)[:, :, None] + np.sinc(angle / np.pi) * k + 0.5 * np.sinc(angle / 2 / np.pi) ** 2 * square
+    point = _column(np.asarray(point, dtype=float))
+    return Pose(rotation, shift + point - np.einsum("abp,bp->ap", rotation, np.broadcast_to(point, shift.shape)))
 
 
-def _transform(rotation, translation) -> np.ndarray:
-    out = np.zeros((len(translation), 4, 4))
-    out[:, :3, :3], out[:, :3, 3], out[:, 3, 3] = rotation, translation, 1.0
-    return out
-
-
-def _about(point, e, d) -> np.ndarray:
-    """Rigid motion: turn by e about `point` and shift by d."""
-    rotation = _rotation(e)
-    return _transform(rotation, d + point - np.einsum("pij,pj->pi", rotation, np.broadcast_to(point, d.shape)))
+def _inverse(pose: Pose) -> Pose:
+    if pose.rotation is None:
+        return Pose(None, -pose.shift)
+    return Pose(pose.rotation.transpose(1, 0, 2), -pose.back(pose.shift))
 
 
 def exact_error(machine: Machine, values, q, tool_offset=None) -> tuple[np.ndarray, np.ndarray]:
@@ -85,56 +138,40 @@ def exact_error(machine: Machine, values, q, tool_offset=None) -> tuple[np.ndarr
     values : symbol -> scalar or (P,) in mm or rad.  Returns (T, R): (P, 3) mm and (P, 3) rad, actual minus commanded
     tool pose in the workpiece frame.
     """
-    q = np.asarray(q, dtype=float).reshape(-1, 3)
+    q = machine.positions(q)
     count = len(q)
-    frame, u = machine.frame.T, machine.directions
-    known = {component(s).symbol: np.broadcast_to(np.asarray(v, dtype=float), count) for s, v in values.items()}
+    references, steps = machine.references, machine.steps(q)
+    known = {machine.component(s): np.broadcast_to(np.asarray(v, dtype=float), count) for s, v in values.items()}
 
-    def motion(body, kind):  # (P, 3) the body's translations, rotations or squareness turns
-        out = np.zeros((count, 3))
-        for symbol, value in known.items():
-            c = component(symbol)
-            if c.body == body and c.kind == kind:
-                out[:, c.axis] = value
-        return out
+    def displaced(body, line) -> Pose:
+        """The errors of a body or, with `line`, of its joint's axis line, about its reference with all joints at 0."""
+        turn, shift = np.zeros((3, count)), np.zeros((3, count))
+        for c, value in known.items():
+            if c.body == body and c.line == line:
+                (turn if c.angular else shift)[c.axis] = value
+        if not line and body not in ENDS and steps[body].rotation is not None:  # in the axes of what carries the joint
+            turn, shift = steps[body].back(turn), steps[body].back(shift)
+        return _displacement(turn, shift, references[body])
 
-    def body_error(body, reference):
-        return _about(frame @ np.array(reference), motion(body, "rotation"), motion(body, "translation"))
+    def chain(names, end, side) -> Pose:
+        pose = identity(count)
+        for name in names:
+            line = displaced(name, True)
+            pose = pose.then(line).then(steps[name])
+            if machine.squareness == "direction":
+                pose = pose.then(_inverse(line))
+            motion = displaced(
+                name, False
+            )  # ISO sign: of the tool relative to the table, so a table moves the other way
+            pose = pose.then(motion if side > 0 else _inverse(motion))
+        motion = displaced(end, False)
+        return pose.then(motion if side > 0 else _inverse(motion))
 
-    def guide(k, sign, true):
-        i = AXES.index(k)
-        step = sign * q[:, [i]] * u[k]
-        if not true:
-            return _transform(np.eye(3), step)
-        s = motion(k, SQUARENESS)
-        shift = _transform(np.eye(3), np.einsum("pij,pj->pi", _rotation(s), step))
-        if machine.squareness == "carried":
-            shift = shift @ _about(frame @ np.array(machine.axes[k].reference), s, np.zeros((count, 3)))
-        return shift
-
-    def chain(true):
-        tool = workpiece = np.broadcast_to(np.eye(4), (count, 4, 4))
-        for k in machine.tool_chain:
-            tool = tool @ guide(k, 1, true)
-            if true:
-                tool = tool @ body_error(k, machine.axes[k].reference)
-        for k in machine.workpiece_chain:
-            workpiece = workpiece @ guide(k, -1, true)
-            if true:  # ISO sign: the error is that of the tool relative to the table, so the table moves the other way
-                workpiece = workpiece @ np.linalg.inv(body_error(k, machine.axes[k].reference))
-        if true:
-            spindle = machine.tool_point if machine.spindle_reference is None else machine.spindle_reference
-            fixture = (0.0, 0.0, 0.0) if machine.workpiece_reference is None else machine.workpiece_reference
-            tool = tool @ body_error("T", spindle)
-            workpiece = workpiece @ np.linalg.inv(body_error("W", fixture))
-        return np.linalg.inv(workpiece) @ tool
-
-    point = np.ones((count, 4))
-    point[:, :3] = frame @ np.array(machine.tool_point)
-    if tool_offset is not None:
-        point[:, :3] += np.asarray(tool_offset, dtype=float).reshape(-1, 3)
-    actual, nominal = chain(True), chain(False)
-    position = np.einsum("pij,pj->pi", actual - nominal, point)[:, :3]
-    turn = actual[:, :3, :3]
-    skew = (turn - turn.transpose(0, 2, 1)) / 2
-    return position, np.stack([skew[:, 2, 1], skew[:, 0, 2], skew[:, 1, 0]], axis=1)
+    ends = machine.carriers(q, steps)
+    nominal = _inverse(ends["W"]).then(ends["T"])
+    actual = _inverse(chain(machine.workpiece_chain, "W", -1)).then(chain(machine.tool_chain, "T", 1))
+    point = machine._tool_point(tool_offset)
+    position = actual.move(point) - nominal.move(point)
+    turn = actual.then(_inverse(nominal)).rotation
+    skew = (turn - turn.transpose(1, 0, 2)) / 2
+    return position.T, np.stack([skew[2, 1], skew[0, 2], skew[1, 0]], axis=1)

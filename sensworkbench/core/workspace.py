@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Indices over the workspace: which component spoils the accuracy, on the whole (Park & Yang 2012 eq. 19).
 
-The mean of S^T is an integral of a smooth rational function of (x, y, z), so Gauss-Legendre quadrature reaches six
-digits with a few hundred positions; the paper's sum over a grid, divided by the number of points, is offered beside it.
+The mean of S^T is an integral of a smooth rational function of the joint positions, so Gauss-Legendre quadrature
+reaches six digits with a few positions per joint; the paper's sum over a grid, divided by the number of points, is
+offered beside it.  Where a product of so many joints is too large, a low-discrepancy set with an estimate of its error
+takes its place.
 """
 
 from __future__ import annotations
@@ -12,85 +14,114 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from . import sobol
 from .distributions import Tolerance, moments
-from .errors import BODIES, SQUARENESS, component
 from .machine import Machine
+from .objectives import MeanSquare, Objective
 from .refusal import Refused
-from .synthesis import ORIENTATION, POSITION, omega
+from .synthesis import ORIENTATION, omega
 
 CHUNK = 4096
 MAX_POINTS = 2_000_000
+MAX_PER_JOINT = 2_000  # the nodes of a quadrature are eigenvalues: their cost is cubic
 DEFAULT_ORDER = 8
 DEFAULT_GRID = 5
-
-
-@dataclass(frozen=True)
-class Objective:
-    """What is judged: Y = sum_a w_a T_a² (or R_a² with output "orientation"), or the signed sum_a w_a T_a."""
-
-    output: str = POSITION
-    weights: tuple[float, float, float] = (1.0, 1.0, 1.0)
-    signed: bool = False
-
-    def __post_init__(self):
-        if self.output not in (POSITION, ORIENTATION):
-            raise Refused(f"unknown output {self.output!r}", "objective", 'Use "position" or "orientation".')
-        weights = tuple(float(w) for w in self.weights)
-        if len(weights) != 3 or not np.all(np.isfinite(weights)) or not any(weights):
-            raise Refused(f"weights {list(weights)} are not three finite numbers, one of them not 0", "objective")
-        if not self.signed and min(weights) < 0:
-            raise Refused("weights of squared components must not be negative", "objective")
-        object.__setattr__(self, "weights", weights)
+AFFORDABLE = 40_000  # positions of a default quadrature: five joints
+REPLICATES = 8  # shifted copies of a low-discrepancy set, whose scatter is its error
+PRIMES = (2, 3, 5, 7, 11, 13)
 
 
 @dataclass(frozen=True)
 class Positions:
-    """Where the indices are taken: q (P, 3) mm with weights (P,) adding to 1; `counts` per axis; `kind`."""
+    """Where the indices are taken: q (P, n) mm or rad with weights (P,) adding to 1; `counts` per joint (or (P,) of a
+    low-discrepancy set); `kind`: "quadrature", "grid", "at" or "low_discrepancy"."""
 
     q: np.ndarray
     weights: np.ndarray
-    counts: tuple[int, int, int]
-    kind: str  # "quadrature", "grid", "at"
+    counts: tuple[int, ...]
+    kind: str
 
 
 def _product(machine: Machine, nodes, weights, counts, kind) -> Positions:
     low, high = machine.travel.T
-    axes = [(high[i] + low[i]) / 2 + (high[i] - low[i]) / 2 * nodes[i] for i in range(3)]
+    axes = [(high[i] + low[i]) / 2 + (high[i] - low[i]) / 2 * nodes[i] for i in range(len(low))]
     q = np.stack([g.ravel() for g in np.meshgrid(*axes, indexing="ij")], axis=1)
-    w = np.einsum("i,j,k->ijk", *weights).ravel()
+    w = weights[0]
+    for other in weights[1:]:
+        w = np.multiply.outer(w, other)
+    w = np.ravel(w)
     return Positions(q, w / w.sum(), tuple(counts), kind)
 
 
-def _counts(counts, least: int) -> tuple[int, int, int]:
-    counts = (counts,) * 3 if np.isscalar(counts) else tuple(counts)
-    if len(counts) != 3 or any(int(c) != c or c < least for c in counts):
-        raise Refused(f"{counts} is not a number of positions per axis", "positions", f"Give at least {least}.")
+def _counts(machine: Machine, counts, least: int) -> tuple[int, ...]:
+    joints = len(machine.joints)
+    counts = (counts,) * joints if np.isscalar(counts) else tuple(counts)
+    if len(counts) != joints or any(int(c) != c or c < least for c in counts):
+        raise Refused("positions-count-invalid", "positions", counts=str(counts)[:60], joints=joints, least=least)
     product = np.prod(counts, dtype=float)
-    if product > MAX_POINTS:
-        raise Refused(f"{product:.0f} positions are too many", "positions", f"Stay below {MAX_POINTS}.")
+    if product > MAX_POINTS or max(counts) > MAX_PER_JOINT:
+        raise Refused("positions-too-many", "positions", count=product, limit=MAX_POINTS, each=MAX_PER_JOINT)
     return tuple(int(c) for c in counts)
 
 
 def quadrature(machine: Machine, order=DEFAULT_ORDER) -> Positions:
-    """Gauss-Legendre positions over the travel, `order` per axis (an int or three)."""
-    counts = _counts(order, 1)
+    """Gauss-Legendre positions over the travel, `order` per joint (an int or one per joint)."""
+    counts = _counts(machine, order, 1)
     rules = [np.polynomial.legendre.leggauss(c) for c in counts]
     return _product(machine, [r[0] for r in rules], [r[1] for r in rules], counts, "quadrature")
 
 
 def grid(machine: Machine, count=DEFAULT_GRID) -> Positions:
     """The paper's regular grid over the travel with its end points, all positions weighing the same."""
-    counts = _counts(count, 2)
+    counts = _counts(machine, count, 2)
     return _product(machine, [np.linspace(-1, 1, c) for c in counts], [np.ones(c) for c in counts], counts, "grid")
 
 
+def low_discrepancy(machine: Machine, count: int = REPLICATES * CHUNK) -> Positions:
+    """A Halton set over the travel in REPLICATES randomly shifted copies (Cranley & Patterson 1976), `count` in all.
+
+    The shifts are fixed, so that a result can be repeated.
+    """
+    joints = len(machine.joints)
+    each = max(1, int(count) // REPLICATES)
+    if each * REPLICATES > MAX_POINTS:
+        raise Refused("positions-too-many", "positions", count=float(count), limit=MAX_POINTS, each=MAX_PER_JOINT)
+    unit = np.column_stack([_radical_inverse(each, PRIMES[i]) for i in range(joints)])
+    shifts = np.random.default_rng(2012).random((REPLICATES, 1, joints))
+    q = ((unit + shifts) % 1.0).reshape(-1, joints)
+    low, high = machine.travel.T
+    total = each * REPLICATES
+    return Positions(low + (high - low) * q, np.full(total, 1 / total), (total,), "low_discrepancy")
+
+
+def _radical_inverse(count: int, base: int) -> np.ndarray:
+    """(count,) digits of 1, 2, ... in `base`, mirrored at the point (van der Corput)."""
+    left, out, scale = np.arange(1, count + 1), np.zeros(count), 1.0 / base
+    while left.any():
+        out += scale * (left % base)
+        left = left // base
+        scale /= base
+    return out
+
+
+def default_positions(machine: Machine) -> Positions:
+    """Quadrature of order 8 where that is affordable, else a low-discrepancy set."""
+    if DEFAULT_ORDER ** len(machine.joints) <= AFFORDABLE:
+        return quadrature(machine)
+    return low_discrepancy(machine)
+
+
 def at(machine: Machine, position) -> Positions:
-    """One position."""
-    q = np.asarray(position, dtype=float).reshape(1, 3)
+    """One position: one value per joint, mm or rad."""
+    q = np.asarray(position, dtype=float).reshape(1, -1)
+    if q.shape[1] != len(machine.joints):
+        raise Refused("position-count-wrong", "--at", count=q.shape[1], names=list(machine.names))
     if not np.all(np.isfinite(q)):
-        raise Refused(f"position {q[0].tolist()} is not finite", "--at", "Give X,Y,Z in mm.")
-    return Positions(q, np.ones(1), (1, 1, 1), "at")
+        raise Refused("position-not-finite", "--at", position=str(q[0].tolist()))
+    span = machine.travel[:, 1] - machine.travel[:, 0]
+    for joint, value, reach in zip(machine.joints, q[0], span):
+        if abs(value) > 1e3 * (reach + max(abs(v) for v in joint.span)):
+            raise Refused("position-far-outside", "--at", name=joint.name, value=joint.to_shown(value), unit=joint.unit)
+    return Positions(q, np.ones(1), (1,) * len(machine.joints), "at")
 
 
 @dataclass(frozen=True)
@@ -101,7 +132,8 @@ class Sensitivity:
     total_vw: the same means weighted by V(Y).  bodies (g); component_first, component_total, component_total_max,
     component_total_vw (g,): group indices of each component.  mean_square E[Y], variance V(Y): mean over the
     positions (mm², mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of
-    `total` between this quadrature and one of two orders less (None for a grid or one position).
+    `total` between this quadrature and one of two orders less, or twice the standard error of a low-discrepancy set
+    (None for a grid or one position).
     """
 
     symbols: tuple[str, ...]
@@ -119,7 +151,7 @@ class Sensitivity:
     mean_square: float
     variance: float
     positions: Positions
-    objective: Objective = field(default_factory=Objective)
+    objective: Objective = field(default_factory=MeanSquare)
     estimated_error: float | None = None
 
 
@@ -135,54 +167,47 @@ def error_table(machine: Machine):
     for effect in machine.effects:
         if effect.enabled and "extent" in effect.parameters:
             low, high = effect.parameter("extent")
-            scale = 1e-6 if component(effect.component).angular else 1e-3
+            c = machine.component(effect.component)
             labels.append(effect.name)
             columns.append(effect.component)
-            laws.append(Tolerance(low * scale, high * scale))
-    owners = [component(c).body for c in columns]
+            laws.append(Tolerance(c.from_shown(low), c.from_shown(high)))
+    owners = [machine.component(c).body for c in columns]
     return labels, columns, owners, laws
 
 
 def sensitivity(
     machine: Machine,
     positions: Positions | None = None,
-    objective: Objective = Objective(),
+    objective: Objective = MeanSquare(),
     progress: Callable[[float], bool] | None = None,
     estimate: bool = True,
 ) -> Sensitivity:
-    """Exact indices of every error and component over `positions` (default: quadrature of order 8).
+    """Exact indices of every error and component over `positions` (default: `default_positions`).
 
     progress : called with the fraction done; a false return cancels (raises `Cancelled`).
     estimate : for a quadrature, repeat it two orders lower to state `estimated_error`.
     Refuses when nothing varies anywhere.
     """
-    positions = quadrature(machine) if positions is None else positions
+    positions = default_positions(machine) if positions is None else positions
     count, lower = len(positions.q), None
     if estimate and positions.kind == "quadrature" and max(positions.counts) > 1:
         lower = quadrature(machine, [max(1, c - 2) for c in positions.counts])
     everything = count + (0 if lower is None else len(lower.q))
     labels, columns, owners, laws = error_table(machine)
-    if objective.output == ORIENTATION and not any(
-        component(c).angular and (component(c).kind != SQUARENESS or machine.squareness == "carried") for c in columns
-    ):
-        raise Refused("no error turns the tool", "objective", "Choose the position output.")
+    if objective.output == ORIENTATION and not omega(machine, columns, positions.q[:64], output=ORIENTATION).any():
+        raise Refused("objective-nothing-turns", "objective")
     law = moments(laws)
-    bodies = tuple(b for b in BODIES if b in owners)
+    bodies = tuple(b for b in machine.bodies if b in owners)
     groups = [[i for i, o in enumerate(owners) if o == b] for b in bodies]
     n, g = len(labels), len(bodies)
     of_errors = ("first", "total", "first_vw", "total_vw", "total_max")
     of_components = ("component_first", "component_total", "component_total_max", "component_total_vw")
     sums = {k: np.zeros(n) for k in of_errors} | {k: np.zeros(g) for k in of_components}
     mean_square = variance = 0.0
-    for start in range(0, count, CHUNK):
-        block = slice(start, start + CHUNK)
+    replicates = np.zeros((REPLICATES, n)) if estimate and positions.kind == "low_discrepancy" else None
+    for replicate, block in _blocks(positions):
         matrix = omega(machine, columns, positions.q[block], output=objective.output)
-        if objective.signed:
-            one = sobol.signed_indices(matrix, law, objective.weights)
-            many = sobol.signed_group_indices(matrix, law, groups, objective.weights)
-        else:
-            one = sobol.indices(matrix, law, objective.weights)
-            many = sobol.group_indices(matrix, law, groups, objective.weights)
+        one, many = objective.indices(matrix, law), objective.group_indices(matrix, law, groups)
         w = positions.weights[block]
         wv = w * one.variance
         sums["first"] += w @ one.first
@@ -196,14 +221,14 @@ def sensitivity(
         np.maximum(sums["component_total_max"], many.total.max(axis=0), out=sums["component_total_max"])
         mean_square += float(w @ one.mean)
         variance += float(wv.sum())
-        if progress is not None and not progress(min(count, start + CHUNK) / everything):
+        if replicates is not None:
+            replicates[replicate] += REPLICATES * (w @ one.total)
+        if progress is not None and not progress(block.stop / everything):
             raise Cancelled("cancelled")
+    if not np.isfinite(variance) or not np.isfinite(mean_square):
+        raise Refused("objective-overflow", "tolerances")
     if variance <= 0:
-        raise Refused(
-            "nothing varies: the objective has no variance at any position",
-            "tolerances",
-            "Give at least one error limits that differ, and keep a component that it moves.",
-        )
+        raise Refused("objective-nothing-varies", "tolerances")
     for key in ("first_vw", "total_vw", "component_total_vw"):
         sums[key] = sums[key] / variance
     result = Sensitivity(
@@ -220,7 +245,19 @@ def sensitivity(
         rest = None if progress is None else lambda part: progress((count + part * len(lower.q)) / everything)
         other = sensitivity(machine, lower, objective, rest, estimate=False)
         result = replace(result, estimated_error=float(np.abs(other.total - result.total).max()))
+    if replicates is not None:
+        scatter = replicates.std(axis=0, ddof=1) / np.sqrt(REPLICATES)
+        result = replace(result, estimated_error=2 * float(scatter.max()))
     return result
+
+
+def _blocks(positions: Positions):
+    """(replicate, slice) of the positions, at most CHUNK each and each within one replicate."""
+    count = len(positions.q)
+    size = count // REPLICATES if positions.kind == "low_discrepancy" else count
+    for number, first in enumerate(range(0, count, size)):
+        for start in range(first, first + size, CHUNK):
+            yield number, slice(start, min(start + CHUNK, first + size))
 
 
 class Cancelled(Exception):

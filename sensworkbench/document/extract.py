@@ -13,10 +13,11 @@ from dataclasses import dataclass, replace
 import FreeCAD as App
 import numpy as np
 
-from ..core import workspace
+from ..core import objectives, workspace
 from ..core.drivers import Effect
 from ..core.errors import AXES
-from ..core.machine import Axis, Machine
+from ..core.joints import linear
+from ..core.machine import Machine
 from ..messages import Refused
 from . import geometry, joints
 from .base import kind_of, numbers
@@ -233,11 +234,12 @@ def survey(machine) -> Survey:
 
 def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) -> Machine:
     """The machine with the reference points (scales) of some axes moved: axis -> mm along the machine's X, Y, Z."""
-    axes = dict(core.axes)
-    for name, offset in offsets.items():
-        moved = np.array(axes[name].reference) + core.frame @ np.array(offset, dtype=float)
-        axes[name] = replace(axes[name], reference=tuple(moved.tolist()))
-    return replace(core, axes=axes)
+    joints = list(core.joints)
+    for i, joint in enumerate(joints):
+        if joint.name in offsets:
+            moved = np.array(joint.point) + core.frame @ np.array(offsets[joint.name], dtype=float)
+            joints[i] = replace(joint, point=tuple(moved.tolist()))
+    return replace(core, joints=tuple(joints))
 
 
 def _own_reference(parts, at):
@@ -254,7 +256,7 @@ def _core(machine, axes, u, direction_from, points, tool_point) -> Machine:
     for name, axis in axes.items():
         travel = (axis.TravelLower.Value, axis.TravelUpper.Value)
         try:
-            described[name] = Axis(name, numbers(u[name]), points[name], travel)
+            described[name] = linear(name, numbers(u[name]), points[name], travel)
         except Refused as error:
             raise error.at(axis.Label) from None
     try:
@@ -262,7 +264,7 @@ def _core(machine, axes, u, direction_from, points, tool_point) -> Machine:
             name=machine.Label,
             workpiece_chain=tuple(machine.WorkpieceChain),
             tool_chain=tuple(machine.ToolChain),
-            axes=described,
+            joints=described,
             tool_point=tool_point,
             spindle_reference=points.get("T"),
             workpiece_reference=points.get("W"),
@@ -316,10 +318,10 @@ def core_machine(machine) -> Machine:
     return survey(machine).core
 
 
-def objective(machine) -> workspace.Objective:
+def objective(machine) -> objectives.Objective:
     """What is judged, as set on the machine."""
     try:
-        return workspace.Objective(machine.Output, numbers(machine.Weights), bool(machine.Signed))
+        return objectives.objective(machine.Output, numbers(machine.Weights), bool(machine.Signed))
     except Refused as error:
         raise error.at(machine.Label) from None
 

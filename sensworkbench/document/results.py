@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core import workspace
+from ..core import objectives, workspace
 from ..core.errors import component
 from ..core.machine import Machine
 from .base import numbers, put
@@ -108,7 +108,7 @@ def load(machine, obj) -> workspace.Sensitivity:
         mean_square=obj.MeanSquare,
         variance=obj.Variance,
         positions=where,
-        objective=workspace.Objective(obj.Output, numbers(obj.Weights), bool(obj.Signed)),
+        objective=objectives.objective(obj.Output, numbers(obj.Weights), bool(obj.Signed)),
         estimated_error=None if obj.EstimatedError < 0 else obj.EstimatedError,
         **{attribute: np.array(getattr(obj, name), dtype=float) for name, attribute in PER_ERROR.items()},
     )

@@ -15,7 +15,8 @@ import math
 from sensworkbench.core.distributions import DISTRIBUTIONS, Tolerance
 from sensworkbench.core.drivers import SHAPES, Effect
 from sensworkbench.core.errors import AXES, DECLARED_SYMBOLS, SQUARENESS, component
-from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Axis, Machine
+from sensworkbench.core.joints import Joint, linear
+from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import factor
 
@@ -57,7 +58,7 @@ def from_place(top: Place) -> Machine:
             name=top["name"].string() if "name" in top else "machine",
             workpiece_chain=_chain(top["workpiece_chain"]),
             tool_chain=_chain(top["tool_chain"]),
-            axes=axes,
+            joints=axes,
             tool_point=tuple(top["tool_point"].numbers(3)),
             squareness=top["squareness"].string(SQUARENESS_CONVENTIONS) if "squareness" in top else "direction",
             tolerances=tolerances(top["tolerances"]) if "tolerances" in top else {},
@@ -87,14 +88,14 @@ def _chain(place: Place) -> tuple[str, ...]:
     return tuple(e.string(AXES) for e in place.elements())
 
 
-def _axes(place: Place) -> dict[str, Axis]:
+def _axes(place: Place) -> dict[str, Joint]:
     place.keys(AXES, AXES)
     found = {}
     for name in AXES:
         entry = place[name]
         entry.keys(("direction", "reference", "travel"), ("direction", "reference", "travel"))
         with _refused_at(entry):
-            found[name] = Axis(
+            found[name] = linear(
                 name,
                 tuple(entry["direction"].numbers(3)),
                 tuple(entry["reference"].numbers(3)),

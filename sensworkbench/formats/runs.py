@@ -12,8 +12,9 @@ from pathlib import Path
 
 from sensworkbench.core import workspace
 from sensworkbench.core.machine import Machine
+from sensworkbench.core.objectives import Objective, objective
 from sensworkbench.core.refusal import Refused
-from sensworkbench.core.workspace import Objective, Sensitivity
+from sensworkbench.core.workspace import Sensitivity
 
 from . import report, sensitivity_out, tolerances
 from .files import reason, staged
@@ -47,8 +48,8 @@ class Options:
 
     def objective(self, default: Objective | None = None) -> Objective:
         """The objective of this run; what is not asked for is the default's."""
-        default = default or Objective()
-        return Objective(self.output or default.output, self.weights or default.weights, self.signed or default.signed)
+        default = default or objective()
+        return objective(self.output or default.output, self.weights or default.weights, self.signed or default.signed)
 
     def positions(self, machine: Machine, default: workspace.Positions | None = None) -> workspace.Positions:
         """The positions of this run; where none are asked for the default's, or the quadrature over the travel."""

@@ -14,7 +14,8 @@ from scipy.linalg import expm
 
 from sensworkbench.core.distributions import Moments, Tolerance
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.machine import Axis, Machine, structure_chains
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine, structure_chains
 
 UM, URAD = 1e-3, 1e-6
 CONVENTIONS = ("direction", "carried")
@@ -39,7 +40,7 @@ def machine(
     references, travel = references or {}, travel or TRAVEL
     directions = dict(zip(AXES, np.eye(3))) | (directions or {})
     workpiece_chain, tool_chain = structure_chains(code)
-    axes = {k: Axis(k, tuple(directions[k]), references.get(k, (0.0, 0.0, 0.0)), travel[k]) for k in AXES}
+    axes = {k: linear(k, tuple(directions[k]), references.get(k, (0.0, 0.0, 0.0)), travel[k]) for k in AXES}
     return Machine(code, workpiece_chain, tool_chain, axes, tool_point, squareness=squareness, **more)
 
 
@@ -80,14 +81,13 @@ def turned(machine: Machine, rotation, shift) -> Machine:
     def point(p):
         return tuple(rotation @ np.array(p) + shift)
 
-    axes = {
-        k: replace(a, direction=tuple(rotation @ np.array(a.direction)), reference=point(a.reference))
-        for k, a in machine.axes.items()
-    }
+    joints = [
+        replace(a, direction=tuple(rotation @ np.array(a.direction)), point=point(a.point)) for a in machine.joints
+    ]
     spindle, fixture = machine.spindle_reference, machine.workpiece_reference
     return replace(
         machine,
-        axes=axes,
+        joints=joints,
         tool_point=point(machine.tool_point),
         spindle_reference=None if spindle is None else point(spindle),
         workpiece_reference=point((0.0, 0.0, 0.0) if fixture is None else fixture),

@@ -10,13 +10,14 @@ import pytest
 
 from sensworkbench.core import units
 from sensworkbench.core.errors import COMPONENTS, DECLARED_SYMBOLS, PAPER_SYMBOLS, component
-from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from tests.core.support import machine
 
 
 def axis(name="X", direction=(1, 0, 0), reference=(0, 0, 0), travel=(0, 100)):
-    return Axis(name, direction, reference, travel)
+    return linear(name, direction, reference, travel)
 
 
 def assert_refused(make, words, where):
@@ -30,7 +31,8 @@ def assert_refused(make, words, where):
 @pytest.mark.parametrize(
     "change, words, where",
     [
-        ({"name": "U"}, "unknown axis 'U'", "axis U"),
+        ({"name": "U"}, "the name U is taken", "axis U"),
+        ({"name": "XX"}, "'XX' is not the name of an axis", "axis XX"),
         ({"direction": (2, 0, 0)}, "has length 2", "axis X, direction"),
         ({"direction": (0, 0, 0)}, "has length 0", "axis X, direction"),
         ({"direction": (0.99, 0, 0)}, "has length 0.99", "axis X, direction"),
@@ -69,12 +71,12 @@ def build(workpiece=("Y", "X"), tool=("Z",), axes=None, tool_point=(0, 0, 0), **
 @pytest.mark.parametrize(
     "change, words, where",
     [
-        ({"workpiece": ("Y", "X"), "tool": ("X", "Z")}, "axis X stands twice", CHAINS),
-        ({"workpiece": ("Y", "Y"), "tool": ("X", "Z")}, "axis Y stands twice", CHAINS),
+        ({"workpiece": ("Y", "X"), "tool": ("X", "Z")}, "axis X appears twice", CHAINS),
+        ({"workpiece": ("Y", "Y"), "tool": ("X", "Z")}, "axis Y appears twice", CHAINS),
         ({"workpiece": ("Y",), "tool": ("Z",)}, "axis X is in neither chain", CHAINS),
         ({"workpiece": (), "tool": ()}, "axis X is in neither chain", CHAINS),
         ({"workpiece": ("Y", "X", "C")}, "unknown axis 'C' in a chain", CHAINS),
-        ({"axes": {k: AXES[k] for k in "XY"}}, "axis Z is missing", "axes"),
+        ({"axes": {k: AXES[k] for k in "XY"}}, "unknown axis 'Z' in a chain", CHAINS),
         ({"tool_point": (0, 0, math.nan)}, "is not finite", "tool_point"),
         ({"tool_point": None}, "is not a vector of three numbers", "tool_point"),
         ({"spindle_reference": (0, 0)}, "is not a vector of three numbers", "spindle_reference"),

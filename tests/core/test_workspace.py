@@ -14,8 +14,8 @@ from sensworkbench.core import sobol, synthesis, workspace
 from sensworkbench.core.distributions import Tolerance, moments
 from sensworkbench.core.drivers import Effect
 from sensworkbench.core.errors import PAPER_SYMBOLS
+from sensworkbench.core.objectives import objective as Objective
 from sensworkbench.core.refusal import Refused
-from sensworkbench.core.workspace import Objective
 from tests.core.support import CONVENTIONS, UM, URAD, c_frame, machine
 
 POINT = Tolerance(0.0, 0.0)

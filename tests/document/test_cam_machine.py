@@ -12,7 +12,8 @@ import sys
 
 import pytest
 
-from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine
 from sensworkbench.formats.exchange.convert import convert, import_machine
 
 pytestmark = pytest.mark.needs("cam-machines")
@@ -27,7 +28,7 @@ CHAINS = [((), ("X", "Y", "Z")), (("Y", "X"), ("Z",)), (("X",), ("Y", "Z")), (("
 
 def machine_of(chains, name="Mill, ü") -> Machine:
     axes = {
-        k: Axis(k, d, r, t)
+        k: linear(k, d, r, t)
         for k, d, r, t in (
             ("X", (0.8, 0.6, 0), (1.5, 2, 3), (-100, 250)),
             ("Y", (0.6, -0.8, 0), (4, -5, 6), (0, 300)),

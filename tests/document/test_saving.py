@@ -12,6 +12,7 @@ import pytest
 from sensworkbench.core import distributions, workspace
 from sensworkbench.core import machine as core
 from sensworkbench.core.drivers import Effect
+from sensworkbench.core.joints import linear
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import base, extract, factory, jog, objects, results, tables
 
@@ -120,7 +121,7 @@ def test_the_document_and_the_file_describe_the_same_machine(doc):
     x, y, z = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
     given = core.Machine(
         "Golden", ("Y", "X"), ("Z",),
-        {n: core.Axis(n, u, REFERENCES[n], (-300, 300)) for n, u in zip("XYZ", (x, y, z))}, TOOL,
+        {n: linear(n, u, REFERENCES[n], (-300, 300)) for n, u in zip("XYZ", (x, y, z))}, TOOL,
     )  # fmt: skip
     found = extract.core_machine(machine)
     assert found.structure == given.structure and close(found.tool_point, given.tool_point)

@@ -19,7 +19,8 @@ from sensworkbench.closedloop.search import vectors_of
 from sensworkbench.core.drivers import Effect, effect_values
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
 from sensworkbench.core.fitted import FittedModel
-from sensworkbench.core.machine import Axis, Machine, structure_chains
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine, structure_chains
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import volumetric_error
 from sensworkbench.formats import fitted_json, readings_csv
@@ -53,7 +54,7 @@ def machine(structure="XYFZ", *, directions=TURN, fitted=None, effects=(), squar
         name="test machine",
         workpiece_chain=workpiece,
         tool_chain=tool,
-        axes={k: Axis(k, directions[k], references[k], TRAVEL[k]) for k in AXES},
+        joints={k: linear(k, directions[k], references[k], TRAVEL[k]) for k in AXES},
         tool_point=(10.0, -20, 150),
         fitted=fitted_json.loads(json.dumps(fitted), "fitted") if isinstance(fitted, dict) else fitted,
         effects=tuple(effects),

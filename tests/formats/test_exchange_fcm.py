@@ -8,7 +8,8 @@ import json
 import pytest
 
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats.exchange import fcm
 from sensworkbench.formats.exchange.convert import convert, import_machine
@@ -117,7 +118,7 @@ def test_a_base_frame_that_stands_elsewhere_is_said():
 @pytest.mark.parametrize("chains", [((), ("X", "Y", "Z")), (("Y", "X"), ("Z",)), (("X",), ("Y", "Z"))])
 def test_a_machine_that_is_written_and_read_again_keeps_its_kinematics(tmp_path, chains):
     axes = {
-        k: Axis(k, d, r, t)
+        k: linear(k, d, r, t)
         for k, d, r, t in (
             ("X", (1, 0, 0), (1.5, 2, 3), (-100, 250)),
             ("Y", (0, -1, 0), (4, 5, 6), (0, 300)),

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from sensworkbench.core.distributions import Tolerance
 from sensworkbench.core.drivers import Effect
-from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import machine_json
 
@@ -125,7 +126,7 @@ def machines(draw) -> Machine:
     axes = {}
     for i, name in enumerate("XYZ"):
         low = draw(finite)
-        axes[name] = Axis(name, direction(i), draw(triple), (low, low + draw(st.floats(0.1, 3000))))
+        axes[name] = linear(name, direction(i), draw(triple), (low, low + draw(st.floats(0.1, 3000))))
     laws = st.sampled_from(["uniform", "normal", "truncated_normal", "triangular", "u_shaped", "point"])
     table = {}
     for symbol in draw(st.lists(st.sampled_from(["EXX", "EAX", "C0Y", "EXT", "ECW"]), unique=True)):
@@ -137,7 +138,7 @@ def machines(draw) -> Machine:
         name=draw(st.text(max_size=12).filter(lambda t: not any("\ud800" <= c <= "\udfff" for c in t))),
         workpiece_chain=tuple(code[:split]),
         tool_chain=tuple(code[split:]),
-        axes=axes,
+        joints=axes,
         tool_point=draw(triple),
         spindle_reference=draw(st.none() | triple),
         workpiece_reference=draw(st.none() | triple),

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from sensworkbench.core import workspace
+from sensworkbench.core import objectives, workspace
 from sensworkbench.formats import charts, html, machine_json, report, sensitivity_out
 
 from .support import golden
@@ -36,7 +36,7 @@ def data(positions=None, objective=None, **changes) -> dict:
     result = workspace.sensitivity(
         machine,
         workspace.quadrature(machine, 3) if positions is None else workspace.at(machine, positions),
-        objective or workspace.Objective(),
+        objective or objectives.objective(),
     )
     return json.loads(sensitivity_out.dumps(sensitivity_out.to_dict(machine, result)))
 
@@ -128,9 +128,9 @@ def test_the_printed_formula_is_left_out_where_it_does_not_apply():
 @pytest.mark.parametrize(
     "objective",
     [
-        workspace.Objective("orientation"),
-        workspace.Objective(weights=(1, -2, 0), signed=True),
-        workspace.Objective(weights=(0, 0, 3)),
+        objectives.objective("orientation"),
+        objectives.objective(weights=(1, -2, 0), signed=True),
+        objectives.objective(weights=(0, 0, 3)),
     ],
 )
 def test_every_objective_has_its_report(objective):

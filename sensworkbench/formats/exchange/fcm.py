@@ -14,8 +14,9 @@ import math
 from collections.abc import Mapping
 
 from sensworkbench.closedloop.readings import Finding
+from sensworkbench.core import joints
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.machine import Axis, Machine
+from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
 from ..json_text import Place, parse
@@ -68,7 +69,7 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
         name=str(place.value.get("name", "machine")),
         workpiece_chain=chains["workpiece"],
         tool_chain=chains["tool"],
-        axes={k: Axis(k, a["direction"], a["origin"], a["travel"]) for k, a in linear.items()},
+        joints={k: joints.linear(k, a["direction"], a["origin"], a["travel"]) for k, a in linear.items()},
         tool_point=tuple(float(v) for v in tool_point),
     )
     return machine, tuple(findings)

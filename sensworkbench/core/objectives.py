@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is judged: a number made of the volumetric error, with its indices.  Objectives are registered here by name.
+
+An objective is one class: how its indices are computed, the unit of its mean, and its words.  Nothing else asks which
+one it is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from ..messages import Refused
+from . import sobol
+from .distributions import Moments
+from .synthesis import ORIENTATION, POSITION
+
+
+@dataclass(frozen=True)
+class Objective:
+    """Base of all objectives: components of T (output "position") or R ("orientation"), with their weights.
+
+    weights : (3,), not all zero.  Subclasses give `name`, the indices, and how the mean is shown.
+    """
+
+    output: str = POSITION
+    weights: tuple[float, float, float] = (1.0, 1.0, 1.0)
+
+    name: ClassVar[str] = ""
+    signed: ClassVar[bool] = False  # whether its mean is a length or angle, rather than the square of one
+
+    def __post_init__(self):
+        if self.output not in (POSITION, ORIENTATION):
+            raise Refused("objective-output-unknown", "objective", output=repr(self.output)[:60])
+        try:
+            weights = tuple(float(w) for w in self.weights)
+        except (TypeError, ValueError):
+            weights = ()
+        if len(weights) != 3 or not np.all(np.isfinite(weights)) or not any(weights):
+            raise Refused("objective-weights-invalid", "objective", weights=str(self.weights)[:60])
+        if max(abs(w) for w in weights) > LARGEST_WEIGHT:
+            raise Refused("objective-weights-too-large", "objective", limit=LARGEST_WEIGHT)
+        object.__setattr__(self, "weights", weights)
+
+    # -- what a subclass gives ---------------------------------------------------------------------------------------
+    def indices(self, omega: np.ndarray, law: Moments) -> sobol.Indices:
+        """Indices of every error.  omega : (P, 3, n)."""
+        raise NotImplementedError
+
+    def group_indices(self, omega: np.ndarray, law: Moments, groups) -> sobol.Indices:
+        """Indices of groups of errors (lists of columns)."""
+        raise NotImplementedError
+
+    def size_shown(self, mean: float) -> float:
+        """The mean as a length in um (or an angle in urad)."""
+        raise NotImplementedError
+
+    @property
+    def formula(self) -> str:
+        """Y in symbols."""
+        raise NotImplementedError
+
+    # -- files -------------------------------------------------------------------------------------------------------
+    def to_json(self) -> dict:
+        """Plain data from which `from_json` makes an equal objective."""
+        return {"name": self.name, "output": self.output, "weights": list(self.weights)}
+
+    @property
+    def length_unit(self) -> str:
+        """Unit of a component of the error: mm or rad."""
+        return "mm" if self.output == POSITION else "rad"
+
+    def _terms(self, square: str) -> list[str]:
+        names = ("T4", "T5", "T6") if self.output == POSITION else ("R1", "R2", "R3")
+        return [(f"{w:g} " if w != 1 else "") + f"{n}{square}" for n, w in zip(names, self.weights) if w]
+
+    def _scale(self) -> float:
+        return 1e3 if self.output == POSITION else 1e6
+
+
+LARGEST_WEIGHT = 1e12
+OBJECTIVES: dict[str, type[Objective]] = {}
+
+
+def register(cls: type[Objective]) -> type[Objective]:
+    """Make an objective known by its `name`."""
+    OBJECTIVES[cls.name] = cls
+    return cls
+
+
+@register
+@dataclass(frozen=True)
+class MeanSquare(Objective):
+    """Y = sum_a w_a T_a² (Park & Yang 2012 eq. 14); weights not negative."""
+
+    name: ClassVar[str] = "mean_square"
+
+    def __post_init__(self):
+        super().__post_init__()
+        if min(self.weights) < 0:
+            raise Refused("objective-weights-negative", "objective", weights=str(list(self.weights)))
+
+    def indices(self, omega, law):
+        return sobol.indices(omega, law, self.weights)
+
+    def group_indices(self, omega, law, groups):
+        return sobol.group_indices(omega, law, groups, self.weights)
+
+    def size_shown(self, mean):
+        return float(np.sqrt(mean)) * self._scale()
+
+    @property
+    def formula(self):
+        return " + ".join(self._terms("²"))
+
+
+@register
+@dataclass(frozen=True)
+class Signed(Objective):
+    """Y = sum_a w_a T_a: one direction of the error with its sign; S = S^T, and they add to one."""
+
+    name: ClassVar[str] = "signed"
+    signed: ClassVar[bool] = True
+
+    def indices(self, omega, law):
+        return sobol.signed_indices(omega, law, self.weights)
+
+    def group_indices(self, omega, law, groups):
+        return sobol.signed_group_indices(omega, law, groups, self.weights)
+
+    def size_shown(self, mean):
+        return float(mean) * self._scale()
+
+    @property
+    def formula(self):
+        return " + ".join(self._terms("")).replace("+ -", "- ")
+
+
+def objective(output: str = POSITION, weights=(1.0, 1.0, 1.0), signed: bool = False) -> Objective:
+    """The mean square of the weighted components, or with `signed` their weighted sum."""
+    return (Signed if signed else MeanSquare)(output, tuple(weights))
+
+
+def from_json(data: dict) -> Objective:
+    """The objective of plain data; refuses a name that is not registered."""
+    fields = dict(data)
+    name = fields.pop("name", "mean_square")
+    if name not in OBJECTIVES:
+        raise Refused("objective-unknown", "objective", name=repr(name)[:60], known=list(OBJECTIVES))
+    try:
+        return OBJECTIVES[name](**{k: tuple(v) if isinstance(v, list) else v for k, v in fields.items()})
+    except TypeError:
+        raise Refused("objective-fields-unknown", "objective", name=name, fields=list(fields)[:5]) from None
