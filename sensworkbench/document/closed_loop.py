@@ -117,7 +117,7 @@ def read(obj):
     from ..formats import readings_csv
 
     if not obj.Table or not Path(obj.Table).is_file():
-        raise Refused("its table is missing", obj.Label, "Import the readings again.")
+        raise Refused("readings-table-missing", obj.Label)
     return readings_csv.load(obj.Table, json.loads(obj.Mapping) or None)
 
 
@@ -179,11 +179,11 @@ def outcome_of(obj):
     from ..closedloop.outcome import Outcome
 
     if obj.Readings is None:
-        raise Refused("its readings were deleted", obj.Label, "Import them again and trace again.")
+        raise Refused("trace-readings-deleted", obj.Label)
     readings = read(obj.Readings)
     series = np.array(obj.Residuals).reshape(len(obj.ResidualNames), -1)
     if series.shape[1] != readings.rows:
-        raise Refused("it belongs to other readings", obj.Label, "Trace again.")
+        raise Refused("trace-of-other-readings", obj.Label)
     residuals = dict(zip(obj.ResidualNames, series))
     if "used" in residuals:
         residuals["used"] = residuals["used"] > 0
@@ -219,11 +219,11 @@ def add_effects(obj, names=None) -> list:
     machine = owner_machine(obj)
     wanted = [n for n in obj.Effects if names is None or n in names]
     if not wanted:
-        raise Refused("no effect was found that could be added", obj.Label)
+        raise Refused("trace-without-effects", obj.Label)
     if added_effects(obj):
-        raise Refused("its effects were added already", obj.Label, "Remove them first.")
+        raise Refused("trace-effects-added", obj.Label)
     if not same(obj.Basis, trace_inputs(core_machine(machine))):
-        raise Refused("the machine has changed since it was traced", obj.Label, "Trace again.")
+        raise Refused("trace-machine-changed", obj.Label)
     model = augmented(obj)
     made = [make_effect(machine, e) for e in model.effects if e.name in wanted]
     put(obj, "FittedBefore", machine.Fitted)

@@ -12,7 +12,7 @@ import math
 import FreeCAD as App
 
 from ..core.errors import AXES
-from ..core.refusal import Refused
+from ..messages import Refused
 from . import joints
 from .extract import check_chains, directions, displacement, stands_at, survey
 from .paths import Place

@@ -68,7 +68,7 @@ def make_axis(
     if name not in AXES:
         raise Refused(f"unknown axis {name!r}", machine.Label, "Axes are X, Y and Z.")
     if axis_of(machine, name) is not None:
-        raise Refused(f"axis {name} exists already", machine.Label, "Edit it, or delete it first.")
+        raise Refused("axis-exists", machine.Label, axis=name)
     axis = _new(machine.Document, GROUP, objects.AxisObject, f"Axis{name}", f"Axis {name}")
     axis.Axis = name
     axis.Parts = as_links(parts)
@@ -85,9 +85,9 @@ def make_axis(
 def make_body(machine, name, parts=(), *, reference=None, reference_at="Automatic"):
     """The spindle with its tool ("T") or the workpiece with its fixture ("W") of a machine."""
     if name not in BODY_LABELS:
-        raise Refused(f"unknown body {name!r}", machine.Label, "Bodies are T (spindle) and W (workpiece).")
+        raise Refused("body-unknown", machine.Label, body=name)
     if body_of(machine, name) is not None:
-        raise Refused(f"{BODY_LABELS[name]} exists already", machine.Label, "Edit it, or delete it first.")
+        raise Refused("body-exists", machine.Label, body=name)
     body = _new(machine.Document, GROUP, objects.BodyObject, f"Body{name}", BODY_LABELS[name])
     body.Body = name
     body.Parts = as_links(parts)
@@ -126,7 +126,7 @@ def make_effect(machine, effect: Effect):
     if owner is None:
         owner = make_body(machine, body) if body in BODY_LABELS else None
     if owner is None:
-        raise Refused(f"axis {body} is missing", machine.Label, f"Add axis {body} first.")
+        raise Refused("axis-missing-for-effect", machine.Label, axis=body)
     obj = _new(machine.Document, FEATURE, objects.EffectObject, "Effect", effect.name)
     obj.Component, obj.Driver, obj.Shape = effect.component, effect.driver, effect.shape
     obj.Parameters = json.dumps(dict(effect.parameters), sort_keys=True)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import FreeCAD as App
 
 from ..core.errors import AXES
-from ..core.refusal import Refused
+from ..messages import Refused
 from .extract import check_chains, displacement, survey
 from .paths import Place
 from .tree import lookup, owner_machine

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import FreeCAD as App
 
-from ..core.refusal import Refused
+from ..messages import Refused
 from .paths import Place, _is_folder, place
 
 SLIDER = "Slider"
@@ -44,7 +44,7 @@ def home_of(joint):
     if outer is None:
         outer = next((o for o in joint.InListRecursive if is_assembly(o)), None)
     if outer is None:
-        raise Refused(f"joint {joint.Label!r} belongs to no assembly", joint.Label, "Delete it, or make it again.")
+        raise Refused("assembly-joint-alone", joint.Label, joint=joint.Label)
     return outer
 
 
@@ -52,7 +52,7 @@ def reference(joint, side: int) -> Place:
     """The geometry that side 1 or 2 of a joint refers to, as a place in the assembly's own document."""
     value = getattr(joint, f"Reference{side}")
     if not value or value[0] is None or not value[1]:
-        raise Refused(f"joint {joint.Label!r} has lost its part {side}", joint.Label, "Choose its parts again.")
+        raise Refused("assembly-joint-lost-part", joint.Label, joint=joint.Label, side=side)
     found = place((value[0], value[1][0] if not isinstance(value[1], str) else value[1]))
     names = [n for n in found.path.split(".") if n]
     for i, obj in enumerate(found.chain):
@@ -67,9 +67,7 @@ def below(where: Place, assembly) -> str:
     for i, obj in enumerate(where.chain):
         if obj == assembly or linked(obj) == assembly:
             return "".join(f"{n}." for n in names[i:])
-    raise Refused(
-        f"{where.label!r} is not in the assembly {assembly.Label!r}", assembly.Label, "Choose the joint's parts again."
-    )
+    raise Refused("assembly-part-elsewhere", assembly.Label, part=where.label, assembly=assembly.Label)
 
 
 def assembly_place(where: Place) -> Place:
@@ -101,11 +99,9 @@ def direction(where: Place) -> App.Vector:
     """Unit vector of the slider at `where`, document coordinates; refuses a joint that is no slider."""
     joint = where.object
     if joint.JointType != SLIDER:
-        raise Refused(
-            f"joint {joint.Label!r} is no slider but {joint.JointType}", joint.Label, "Choose a slider joint."
-        )
+        raise Refused("assembly-joint-no-slider", joint.Label, joint=joint.Label, kind=joint.JointType)
     if not is_active(joint):
-        raise Refused(f"joint {joint.Label!r} is switched off", joint.Label, "Switch it on, or choose another.")
+        raise Refused("assembly-joint-off", joint.Label, joint=joint.Label)
     return frame(where, 1).Rotation.multVec(Z)
 
 
@@ -118,9 +114,7 @@ def carried_side(where: Place, parts: list[Place]) -> int:
         key = Place(outer.root, path).key
         if any(key[: len(k)] == k for k in keys):
             return side
-    raise Refused(
-        f"joint {joint.Label!r} holds none of the carriage's parts", joint.Label, "Choose the joint of this carriage."
-    )
+    raise Refused("assembly-joint-of-another", joint.Label, joint=joint.Label)
 
 
 def joint_place(source) -> Place | None:

@@ -13,7 +13,7 @@ from functools import cached_property
 import FreeCAD as App
 import Part
 
-from ..core.refusal import Refused
+from ..messages import Refused
 
 PLACEMENT_ONLY = 3  # retType of getSubObject
 
@@ -44,11 +44,7 @@ class Place:
         """The objects from the topmost one to the one that is meant; refuses a path that leads nowhere."""
         found, reached = [self.root], self.root.getSubObject(self.path, retType=1) if self.path else self.root
         if reached is None:
-            raise Refused(
-                f"nothing stands any more at {self.path.rstrip('.')!r} in {self.root.Label!r}",
-                self.root.Label,
-                "Choose the part again.",
-            )
+            raise Refused("part-path-dead", self.root.Label, path=self.path.rstrip("."), root=self.root.Label)
         names = [n for n in self.path.split(".") if n and not n.startswith(";")]
         for i in range(len(names)):
             found.append(self.root.getSubObject(".".join(names[: i + 1]) + ".", retType=1))
@@ -90,7 +86,7 @@ class Place:
             shape = None
         if not isinstance(shape, Part.Shape) or shape.isNull():
             if self.element:
-                raise Refused(f"{self.label!r} is not there any more", self.object.Label, "Choose the geometry again.")
+                raise Refused("part-element-gone", self.object.Label, element=self.label)
             return None
         outer = _outer(self.root)
         if not outer.isIdentity():
@@ -118,7 +114,7 @@ def place(link) -> Place | None:
     obj, sub = link if isinstance(link, (tuple, list)) else (link, "")
     if isinstance(sub, (tuple, list)):
         if len(sub) > 1:
-            raise Refused(f"{len(sub)} elements where one is wanted", obj.Label, "Choose one.")
+            raise Refused("part-several-elements", obj.Label, count=len(sub))
         sub = sub[0] if sub else ""
     if obj is None:
         return None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from ..core.errors import AXES, BODIES
 from ..core.machine import Machine
-from ..core.refusal import Refused
+from ..messages import Refused
 from .base import members, put
 from .extract import Survey, survey
 from .joints import position

@@ -11,7 +11,7 @@ import json
 from dataclasses import dataclass
 
 from ..core.errors import AXES, component
-from ..core.refusal import Refused
+from ..messages import Refused
 from . import closed_loop, objects, tables
 from .base import SensObject, alive, dress, kind_of, members, put
 from .factory import make_tolerances
@@ -34,22 +34,39 @@ RESULT_LISTS = (
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One thing that is wrong: the object, what, whether `repair` mends it, and what it does or the user has to do."""
+class Problem:
+    """One thing that is wrong with an object, and whether `repair` mends it.
+
+    refusal : what is wrong, and what `repair` does or the user has to do; its `where` is a property, or "".
+    """
 
     obj: object
-    what: str
+    refusal: Refused
     mendable: bool
-    do: str
+
+    @property
+    def what(self) -> str:
+        """What is wrong, in English."""
+        return f"{self.refusal.where}: {self.refusal.what}" if self.refusal.where else self.refusal.what
+
+    @property
+    def do(self) -> str:
+        """What `repair` does, or the user has to do, in English."""
+        return self.refusal.do
 
     @property
     def message(self) -> str:
-        return f"{self.obj.Label}: {self.what}. {self.do}"
+        """Object, what is wrong and what to do, in English."""
+        return self.text()
+
+    def text(self, language: str = "en") -> str:
+        """Object, what is wrong and what to do, in `language`."""
+        return f"{self.obj.Label}: {self.refusal.text(language)}"
 
 
-def examine(doc) -> list[Finding]:
+def examine(doc) -> list[Problem]:
     """All that is wrong with our objects in a document; nothing is changed."""
-    return [finding for obj in doc.Objects if _ours(obj) for finding in _examine(obj)]
+    return [problem for obj in doc.Objects if _ours(obj) for problem in _examine(obj)]
 
 
 def present(doc) -> bool:
@@ -57,21 +74,21 @@ def present(doc) -> bool:
     return doc is not None and any(_ours(obj) for kind in _TYPES for obj in doc.findObjects(kind))
 
 
-def examine_object(obj) -> list[Finding]:
+def examine_object(obj) -> list[Problem]:
     """All that is wrong with one object; nothing for one that is not ours."""
     return list(_examine(obj)) if _ours(obj) else []
 
 
-def repair(doc) -> list[Finding]:
-    """Mend what can be mended; returns what was found (see `Finding.mendable`).  Opens no transaction.
+def repair(doc) -> list[Problem]:
+    """Mend what can be mended; returns what was found (see `Problem.mendable`).  Opens no transaction.
 
     Values that are there are kept; properties that are missing take their defaults; rows of the tolerance table that
     are not whole take the paper's values; results that are not whole are marked stale.
     """
     found = examine(doc)
-    for finding in found:
-        if finding.mendable:
-            _mend(finding.obj)
+    for problem in found:
+        if problem.mendable:
+            _mend(problem.obj)
     for machine in machines(doc):
         if tolerances_of(machine) is None:
             make_tolerances(machine)
@@ -92,20 +109,17 @@ def _kind(obj) -> str:
 def _examine(obj):
     cls = CLASSES[_kind(obj)]
     if not alive(obj):
-        yield Finding(obj, "it was saved without Sens Workbench and does nothing", True, "Its data are used again.")
+        yield Problem(obj, Refused("problem-without-class"), True)
     elif obj.Proxy.kind != cls.kind:
-        yield Finding(obj, f"it is called {cls.kind} but is a {obj.Proxy.kind}", False, "Delete it, make it again.")
+        yield Problem(obj, Refused("problem-wrong-class", called=cls.kind, found=obj.Proxy.kind), False)
         return
     missing = [p.name for p in cls.properties if not hasattr(obj, p.name)]
     if missing or kind_of(obj) == "":
-        names = ", ".join(missing) or "its kind"
-        yield Finding(obj, f"it lacks {names}", True, "The defaults are used.")
+        yield Problem(obj, Refused("problem-missing-properties", names=missing or ["SensType"]), True)
     for p in cls.properties:
         if p.name not in missing and obj.getTypeIdOfProperty(p.name) != f"App::Property{p.kind}":
             was = obj.getTypeIdOfProperty(p.name).replace("App::Property", "")
-            yield Finding(
-                obj, f"{p.name} is a {was} instead of a {p.kind}", False, "Remove that property, then repair again."
-            )
+            yield Problem(obj, Refused("problem-property-type", name=p.name, found=was, wanted=p.kind), False)
     look = {"Machine": _machine, "Axis": _axis, "Body": _body, "Tolerances": _table, "Sensitivity": _result,
             "Effect": _effect}.get(cls.kind)  # fmt: skip
     if look is not None and not missing:
@@ -114,33 +128,33 @@ def _examine(obj):
 
 def _machine(obj):
     if tolerances_of(obj) is None:
-        yield Finding(obj, "it has no tolerance table", True, "One with the paper's values is made.")
+        yield Problem(obj, Refused("problem-no-tolerance-table"), True)
     for name in (*AXES, *BODY_LABELS):
         same = [o for kind in ("Axis", "Body") for o in members(obj, kind) if getattr(o, kind, "") == name]
         if len(same) > 1:
-            yield Finding(same[-1], f"{name} exists {len(same)} times in {obj.Label!r}", False, "Delete all but one.")
+            yield Problem(same[-1], Refused("problem-body-repeated", body=name, count=len(same), machine=obj.Label), False)
     for name in ("Fitted", "Extra"):
         yield from _json(obj, name)
     if len(obj.HomeObjects) != len(obj.HomePlacements):
-        yield Finding(obj, "where its parts stand at home is not whole", True, "It counts from where they stand now.")
+        yield Problem(obj, Refused("problem-home-incomplete"), True)
     yield from _links(obj, "Bed", obj.Bed)
     if obj.ToolPoint:
         yield from _links(obj, "ToolPoint", [obj.ToolPoint])
     else:
-        yield Finding(obj, "its tool point is missing", False, "Choose a point at the tool's tip.")
+        yield Problem(obj, Refused("problem-no-tool-point"), False)
 
 
 def _axis(obj):
     if owner_machine(obj) is None:
-        yield Finding(obj, "it belongs to no machine", False, "Drag it into a machine, or delete it.")
+        yield Problem(obj, Refused("problem-no-machine"), False)
     if not places(obj.Parts):
-        yield Finding(obj, "it has no carriage any more", False, "Choose the parts that it moves.")
+        yield Problem(obj, Refused("problem-no-carriage"), False)
     yield from _sources(obj, "DirectionSource", "ReferenceSource")
 
 
 def _body(obj):
     if owner_machine(obj) is None:
-        yield Finding(obj, "it belongs to no machine", False, "Drag it into a machine, or delete it.")
+        yield Problem(obj, Refused("problem-no-machine"), False)
     yield from _sources(obj, "ReferenceSource")
 
 
@@ -160,24 +174,24 @@ def _links(obj, name, links):
                 if where.element:
                     where.shape()
         except Refused as error:
-            yield Finding(obj, f"{name}: {error.what}", False, error.do)
+            yield Problem(obj, Refused(error.code, name, **error.fields), False)
 
 
 def _table(obj):
     columns = [list(getattr(obj, name)) for name in tables.COLUMNS]
     if len({len(c) for c in columns}) > 1:
-        yield Finding(obj, "its lists differ in length", True, "Rows that are not whole take the paper's values.")
+        yield Problem(obj, Refused("problem-table-uneven"), True)
     for symbol in obj.Symbols:
         try:
             component(symbol)
         except Refused as error:
-            yield Finding(obj, error.what, True, "That row is left out.")
+            yield Problem(obj, Refused("problem-row-unknown", symbol=symbol), True)
 
 
 def _result(obj):
     for names in RESULT_LISTS:
         if len({len(getattr(obj, name)) for name in names}) > 1:
-            yield Finding(obj, "its lists differ in length", True, "It is marked as out of date: compute it again.")
+            yield Problem(obj, Refused("problem-result-uneven"), True)
 
 
 def _effect(obj):
@@ -185,7 +199,7 @@ def _effect(obj):
     try:
         component(obj.Component)
     except Refused as error:
-        yield Finding(obj, error.what, False, error.do)
+        yield Problem(obj, error.at("Component"), False)
 
 
 def _json(obj, name):
@@ -194,7 +208,7 @@ def _json(obj, name):
         try:
             json.loads(text)
         except ValueError:
-            yield Finding(obj, f"{name} holds no JSON", False, "Fit or import it again, or clear it.")
+            yield Problem(obj, Refused("problem-no-json", name=name), False)
 
 
 # -- mending ---------------------------------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ def read_tolerances(machine) -> dict[str, Tolerance]:
         return {}
     columns = [list(getattr(table, name)) for name in COLUMNS]
     if len({len(c) for c in columns}) > 1:
-        raise Refused("its lists differ in length", table.Label, "Delete it and enter the tolerances again.")
+        raise Refused("tolerance-table-uneven", table.Label)
     found = {}
     for symbol, lower, upper, _, distribution, sigma in zip(*columns):
         key = component(symbol, table.Label).symbol

@@ -6,7 +6,7 @@ Finders only look; `factory` and `traces` make.  So whoever asks need not import
 
 from __future__ import annotations
 
-from ..messages import Refused
+from ..messages import Message, Refused
 from .base import kind_of, members
 from .paths import Place, place, places
 
@@ -25,12 +25,9 @@ def machine_of(doc):
     """The machine of a document; refuses when there is none, or several."""
     found = machines(doc)
     if not found:
-        raise Refused("the document holds no machine", doc.Label, "Make one with Machine from Selection.")
+        raise Refused("document-without-machine", doc.Label)
     if len(found) > 1:
-        names = ", ".join(o.Label for o in found)
-        raise Refused(
-            f"the document holds several machines: {names}", doc.Label, "Keep one, or select the one that is meant."
-        )
+        raise Refused("document-several-machines", doc.Label, machines=[o.Label for o in found])
     return found[0]
 
 
@@ -106,12 +103,12 @@ def owner_machine(obj):
     return None
 
 
-def body_label(machine, body: str, owners=None) -> str:
+def body_label(machine, body: str, owners=None) -> str | Message:
     """How messages call a body: the label of its object.  owners : what `bodies` returned, where the caller has it."""
     if body == BED:
-        return f"bed of {machine.Label}"
+        return Message("body-bed", machine=machine.Label)
     owner = (bodies(machine) if owners is None else owners).get(body)
-    return owner.Label if owner else f"body {body}"
+    return owner.Label if owner else Message("body-without-object", body=body)
 
 
 # -- the parts of a machine ------------------------------------------------------------------------------------------
@@ -140,12 +137,8 @@ def part_index(machine, parts=None, owners=None) -> dict[tuple, str]:
         for where in group:
             other = index.setdefault(where.key, body)
             if other != body:
-                raise Refused(
-                    f"{where.label!r} belongs to {body_label(machine, other, owners)} and to "
-                    f"{body_label(machine, body, owners)}",
-                    machine.Label,
-                    "A part moves with one body: take it out of the other.",
-                )
+                labels = [body_label(machine, b, owners) for b in (other, body)]
+                raise Refused("part-in-two-bodies", machine.Label, part=where.label, one=labels[0], other=labels[1])
     return index
 
 

@@ -23,7 +23,7 @@ class TaskRepair:
 
     def __init__(self, doc):
         self.document = doc
-        self.findings: list[repair.Finding] = []
+        self.findings: list[repair.Problem] = []
         self.form = QtGui.QWidget()
         self.form.setObjectName("SensRepair")
         self.form.setWindowTitle(translate("Sens", "Repair machine"))
