@@ -132,7 +132,8 @@ def _machine(obj):
     for name in (*AXES, *BODY_LABELS):
         same = [o for kind in ("Axis", "Body") for o in members(obj, kind) if getattr(o, kind, "") == name]
         if len(same) > 1:
-            yield Problem(same[-1], Refused("problem-body-repeated", body=name, count=len(same), machine=obj.Label), False)
+            what = Refused("problem-body-repeated", body=name, count=len(same), machine=obj.Label)
+            yield Problem(same[-1], what, False)
     for name in ("Fitted", "Extra"):
         yield from _json(obj, name)
     if len(obj.HomeObjects) != len(obj.HomePlacements):
@@ -184,7 +185,7 @@ def _table(obj):
     for symbol in obj.Symbols:
         try:
             component(symbol)
-        except Refused as error:
+        except Refused:
             yield Problem(obj, Refused("problem-row-unknown", symbol=symbol), True)
 
 

@@ -8,7 +8,6 @@ import numpy as np
 from ..core import objectives, workspace
 from ..core.errors import component
 from ..core.machine import Machine
-from ..messages import Refused
 from .base import numbers, put
 from .extract import Survey, core_machine, objective, positions, survey
 from .factory import make_sensitivity
