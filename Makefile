@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # make demo    an example machine: parts, coloured document, pictures, report, traced readings, in build/demo/
 # make test    all tests on this machine's FreeCAD; the tiers, each named for what it needs:
-# make test-style     nothing but the source: the linter
+# make test-style     nothing but the source: linter and format
 # make test-plain     Python and numpy: everything that does not touch FreeCAD
 # make test-portable  FreeCAD's own Python and numpy: golden numbers, readers, command line
 # make test-freecad   FreeCAD without a window
@@ -56,6 +56,7 @@ test: test-style test-plain test-portable test-freecad test-window test-install
 
 test-style: venv
 	$(VENV_PYTHON) -m ruff check .
+	$(VENV_PYTHON) -m ruff format --check .
 
 test-plain: export OMP_NUM_THREADS = 1
 test-plain: export OPENBLAS_NUM_THREADS = 1

@@ -23,9 +23,17 @@ def importable(*modules: str) -> bool:
         return False
 
 
+def panel_dock() -> bool:
+    """Return whether task panels are in a dock of the main window; later versions lay them over the 3D view."""
+    from sensworkbench.gui.qt import QtGui, main_window
+
+    return any(d.objectName() == "Combo View" for d in main_window().findChildren(QtGui.QDockWidget))
+
+
 HAS = {
     "assembly": lambda: importable("JointObject", "UtilsAssembly"),  # FreeCAD 1.0 and later
     "cam-machines": lambda: importable("Machine.models.machine"),  # later than 1.1, or a folder named by SENS_CAM
+    "panel-dock": panel_dock,
 }
 
 

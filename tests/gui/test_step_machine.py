@@ -59,6 +59,7 @@ def files(tmp_path_factory):
         tops.append(holder)
     tree.recompute()
     Import.export(tops, str(folder / "tree.step"))
+    tree.saveAs(str(folder / "tree.FCStd"))
     for name in (doc.Name, tree.Name):
         App.closeDocument(name)
     return folder, known
@@ -161,9 +162,7 @@ def test_a_tree_keeps_its_names_and_takes_directions_and_travel_from_its_rails(d
 
 
 def test_where_names_and_contacts_disagree_the_note_says_which_parts(doc, workbench, files):
-    insert(doc, files[0] / "tree.step")
-    if not any(o.Label == "Spindle" for o in doc.Objects):
-        pytest.skip("this FreeCAD writes no containers into STEP files")
+    doc = App.openDocument(str(files[0] / "tree.FCStd"))  # FreeCAD 0.20 writes no containers into STEP files
     column = next(o for o in doc.Objects if o.Label == "Column")
     saddle = next(o for o in doc.Objects if o.Label == "Saddle Y")
     column.getParentGeoFeatureGroup().removeObject(column)
