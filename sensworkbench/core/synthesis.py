@@ -34,6 +34,12 @@ def omega(machine: Machine, symbols, q, tool_offset=None, output: str = POSITION
     out = np.zeros((3, len(parts), len(q)))
     levers = _Levers(machine, q, tool_offset)
     for j, c in enumerate(parts):
+        if not c.line and c.angular and output == POSITION and levers.still(c.body):  # the usual case, without products
+            a, b = (c.axis + 1) % 3, (c.axis + 2) % 3
+            arm = levers.arm(c.body)
+            np.negative(arm[b], out=out[a, j, :])
+            out[b, j, :] = arm[a]
+            continue
         column = levers.line(c, output) if c.line else levers.motion(c, output)
         if column is not None:
             out[:, j, :] = column
@@ -51,6 +57,10 @@ class _Levers:
         self.workpiece = self.carriers["W"]
         self._arms: dict[str, np.ndarray] = {}
 
+    def still(self, body: str) -> bool:
+        """Whether what carries the body, and the workpiece, stay parallel to the machine frame."""
+        return self.carriers[body].rotation is None and self.workpiece.rotation is None
+
     def _unit(self, c: Component) -> np.ndarray:
         """The component's unit vector, in the machine frame: (3,), or (3, P) where something before it turns."""
         return self.carriers[c.body].turn(np.eye(3)[c.axis])
@@ -60,7 +70,8 @@ class _Levers:
         reference, carrier = self.machine.references[body], self.carriers[body]
         return carrier.move(reference if body in ENDS else self.steps[body].move(reference))
 
-    def _arm(self, body: str) -> np.ndarray:
+    def arm(self, body: str) -> np.ndarray:
+        """(3, P) functional point less the reference point of the body, in the machine frame."""
         if body not in self._arms:
             self._arms[body] = self.tip - self._now(body)
         return self._arms[body]
@@ -70,7 +81,7 @@ class _Levers:
         unit = self._unit(c)
         if output == ORIENTATION:
             return self._seen(unit) if c.angular else None
-        return self._seen(cross(unit, self._arm(c.body)) if c.angular else unit)
+        return self._seen(cross(unit, self.arm(c.body)) if c.angular else unit)
 
     def line(self, c: Component, output: str):
         """Column of an error of an axis line, (3, P) or (3, 1); None where it is zero."""
@@ -89,9 +100,9 @@ class _Levers:
         moved = self._now(c.body) - carrier.move(machine.references[c.body])
         column = side * cross(unit, moved)
         if carried:
-            column = column + side * cross(unit, self._arm(c.body))
+            column = column + side * cross(unit, self.arm(c.body))
         elif turned is not None:
-            column = column + side * cross(_column(unit) - turned, self._arm(c.body))
+            column = column + side * cross(_column(unit) - turned, self.arm(c.body))
         return self._seen(column)
 
     def _seen(self, vector) -> np.ndarray:

@@ -132,7 +132,7 @@ class Sensitivity:
     total_vw: the same means weighted by V(Y).  bodies (g); component_first, component_total, component_total_max,
     component_total_vw (g,): group indices of each component.  mean_square E[Y], variance V(Y): mean over the
     positions (mm², mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of
-    `total` between this quadrature and one of two orders less, or twice the standard error of a low-discrepancy set
+    `total` between this quadrature and one of two orders less, or three standard errors of a low-discrepancy set
     (None for a grid or one position).
     """
 
@@ -247,7 +247,7 @@ def sensitivity(
         result = replace(result, estimated_error=float(np.abs(other.total - result.total).max()))
     if replicates is not None:
         scatter = replicates.std(axis=0, ddof=1) / np.sqrt(REPLICATES)
-        result = replace(result, estimated_error=2 * float(scatter.max()))
+        result = replace(result, estimated_error=3 * float(scatter.max()))
     return result
 
 
