@@ -26,7 +26,7 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import exact_error
 from sensworkbench.core.workspace import sensitivity
 from sensworkbench.formats import machine_json, readings_csv, runs, trace_run
-from sensworkbench.formats.files import staged
+from sensworkbench.formats.file_sets import staged
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENT, PICTURES, LOOP = "machine.FCStd", ("view.png", "view_front.png"), "closed_loop"
@@ -69,7 +69,7 @@ else:
 def run(folder, structure: str = "XYFZ", tell=None) -> list[Path]:
     """Make everything in `folder` and return the paths; `tell` is told what is going on, in words."""
     tell = tell or (lambda words: None)
-    with staged(folder) as work:
+    with staged(folder, "demo") as work:
         tell("building the machine in FreeCAD")
         if "FreeCAD" in sys.modules:
             build(work, structure)

@@ -78,7 +78,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         for name in getattr(arguments, "documents", ()):
             if is_document(getattr(arguments, name)) and not in_freecad():
                 return hand_over(getattr(arguments, name), argv)
-        return arguments.run(arguments)
+        with _recorded(arguments, argv):
+            return arguments.run(arguments)
     except Refused as refused:
         say(refused.message, sys.stderr)
         return REFUSED
@@ -90,6 +91,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     except Exception as error:  # noqa: BLE001 - the last line of defence: a defect is reported, never shown raw
         _report_defect(error)
         return DEFECT
+
+
+def _recorded(arguments, argv):
+    """The run that the results of this command state in their manifest."""
+    provenance = importlib.import_module("sensworkbench.formats.provenance")
+    seed = getattr(arguments, "seed", None)
+    return provenance.running(arguments.verb, provenance.without_out(argv), seed)
 
 
 def _run_on_freecads_numpy(argv: Sequence[str]) -> int:

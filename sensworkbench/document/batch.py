@@ -19,7 +19,7 @@ from ..core import workspace
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Sensitivity
-from ..formats import fitted_json, runs
+from ..formats import fitted_json, provenance, runs
 from . import (
     closed_loop,  # noqa: F401 - as objects
     objects,  # noqa: F401 - FreeCAD restores proxies only from modules that it knows, or that are loaded
@@ -60,6 +60,7 @@ def open_document(path) -> Opened:
     if not path.is_file():
         raise Refused("cannot be read: no such file", str(path), "Check the name.")
     contents = read_contents(path)
+    provenance.note_file(path)
     before = set(App.listDocuments())
     try:
         document = App.openDocument(str(path.absolute()))

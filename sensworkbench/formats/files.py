@@ -1,22 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Files in and out: read whole texts with a limit, write so that nothing is ever half written.
+"""Files in and out: read whole files with a limit, write one so that it is never half written.
 
-A single file goes to a temporary name beside its place and is then moved over it.  A folder of results is built in a
-temporary folder first and moved file by file once all of it is there.
+Only regular files are read and written: a folder, a device, a pipe or a socket is refused before it is opened, and a
+link to a file is followed.  A set of files that belong together is written by `file_sets`.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
-import shutil
-import tempfile
-from collections.abc import Iterator
+import secrets
+import stat
+import time
 from pathlib import Path
 
 from sensworkbench.core.refusal import Refused
 
+from . import operations, provenance
+
 TEXT_LIMIT = 16 * 2**20  # bytes
+MARK = ".sens-"  # begins the name of everything that is there for a moment only
+LEFT_AFTER = 3600.0  # seconds after which such a file was left behind by a run that was stopped
+DISK = (errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EFBIG, errno.EIO, errno.EACCES, errno.EPERM)
+DISK += (errno.ENAMETOOLONG, errno.ENOTDIR, errno.EISDIR, errno.ENOTEMPTY, errno.EBUSY, errno.EEXIST, errno.ENODEV)
 
 
 def reason(error: OSError) -> str:
@@ -24,47 +31,86 @@ def reason(error: OSError) -> str:
     return (error.strerror or type(error).__name__).lower()
 
 
+def read_bytes(path, limit: int) -> bytes:
+    """The bytes of a regular file, at most `limit`; they become an input of the run.  Refuses anything else."""
+    name = str(path)
+    try:
+        # not to wait for the other end of a pipe
+        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
+    except (OSError, ValueError) as error:
+        if isinstance(error, OSError) and os.path.isdir(path):  # Windows opens no folder
+            raise Refused("file-is-folder", name) from None
+        words = reason(error) if isinstance(error, OSError) else str(error)
+        raise Refused("file-not-read", name, why=words) from None
+    try:
+        mode = os.fstat(handle).st_mode
+        if not stat.S_ISREG(mode):
+            raise Refused("file-is-folder" if stat.S_ISDIR(mode) else "file-is-device", name)
+        with os.fdopen(handle, "rb", closefd=False) as stream:
+            data = stream.read(limit + 1)
+    except OSError as error:
+        raise Refused("file-not-read", name, why=reason(error)) from None
+    finally:
+        os.close(handle)
+    if len(data) > limit:
+        raise Refused("file-too-large", name, limit=f"{limit / 2**20:g}")
+    provenance.note_input(path, data)
+    return data
+
+
 def read_text(path, limit: int = TEXT_LIMIT) -> str:
     """The text of a UTF-8 file (a byte order mark is dropped).
 
-    Refuses what is missing, a folder, longer than `limit` bytes, or not UTF-8 (with the line of the first bad byte).
+    Refuses what is missing, no regular file, longer than `limit` bytes, or not UTF-8 (with the line of the first bad
+    byte).
     """
-    path = Path(path)
-    try:
-        if path.is_dir():
-            raise Refused("this is a folder, not a file", str(path))
-        with open(path, "rb") as stream:
-            data = stream.read(limit + 1)
-    except (OSError, ValueError) as error:
-        words = reason(error) if isinstance(error, OSError) else str(error)
-        raise Refused(f"cannot be read: {words}", str(path), "Check the name and the permissions.") from None
-    if len(data) > limit:
-        raise Refused(f"is larger than {limit / 2**20:g} MiB", str(path), "Is this the right file?")
+    data = read_bytes(path, limit)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
-        raise Refused("is not UTF-8 text", f"{path}, line {line}", "Save it as UTF-8.") from None
+        raise Refused("file-not-utf8", f"{path}, line {line}") from None
+
+
+def target(path) -> Path:
+    """The regular file, there or not, that a result named `path` is written to: a link is followed.
+
+    Refuses an empty name, a folder, a device, a link that leads nowhere.
+    """
+    if not str(path) or str(path) == ".":
+        raise Refused("out-empty", "--out")
+    found = operations.absolute(path)
+    if operations.kind(found) == "link":
+        try:
+            found = found.resolve(strict=False)
+        except (OSError, RuntimeError):  # a circle of links
+            raise Refused("out-link", str(path)) from None
+    what = operations.kind(found)
+    if what == "folder":
+        raise Refused("file-is-folder", str(path))
+    if what == "link":
+        raise Refused("out-link", str(path))
+    if what == "device":
+        raise Refused("file-is-device", str(path))
+    return found
 
 
 def write_bytes(path, data: bytes) -> None:
     """Write `data` to `path` in one step: afterwards there is the old file or the new one, never a part."""
-    path = Path(path)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    except OSError as error:
-        raise Refused(f"cannot be written: {reason(error)}", str(path), "Choose another place.") from None
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(data)
-        os.chmod(temporary, 0o666 & ~_umask())
-        os.replace(temporary, path)
-    except OSError as error:
-        raise Refused(f"cannot be written: {reason(error)}", str(path), "Choose another place.") from None
-    finally:
-        with contextlib.suppress(FileNotFoundError):
-            os.unlink(temporary)
+    act = operations.current()
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(written(path))
+        place = target(path)
+        stack.enter_context(made_folders(place.parent))
+        remove_left(place.parent)
+        work = place.parent / f"{MARK}{secrets.token_hex(4)}.part"
+        try:
+            act.write(work, data)
+            act.replace(work, place)
+        except BaseException:
+            with contextlib.suppress(OSError):
+                act.remove(work)
+            raise
 
 
 def write_text(path, text: str) -> None:
@@ -72,56 +118,45 @@ def write_text(path, text: str) -> None:
     write_bytes(path, text.encode("utf-8"))
 
 
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+@contextlib.contextmanager
+def written(path):
+    """Turn what the disk refuses within the block into a refusal of the result `path`."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in DISK and not isinstance(error, FileNotFoundError):
+            raise
+        raise Refused("file-not-written", str(path), why=reason(error)) from None
 
 
 @contextlib.contextmanager
-def staged(folder) -> Iterator[Path]:
-    """A temporary folder beside `folder`; what is written there is moved into `folder` when the block ends well.
-
-    When the block raises, `folder` is as it was (and is not made if it did not exist).  Files of the same name are
-    replaced, others are left alone.
-    """
-    folder = Path(folder)
-    if folder.exists() and not folder.is_dir():
-        raise Refused("there is a file of this name already", str(folder), "Name a folder for the results.")
-    made = []  # folders that this call had to make, outermost last
-    parent = folder.absolute().parent
+def made_folders(folder: Path):
+    """Make `folder` and what it stands in; when the block raises, what was made is removed again."""
+    act = operations.current()
+    missing = []
+    while not folder.exists():
+        missing.append(folder)
+        folder = folder.parent
+    made = []
     try:
-        while not parent.exists():
-            made.append(parent)
-            parent = parent.parent
-        folder.absolute().parent.mkdir(parents=True, exist_ok=True)
-        work = Path(tempfile.mkdtemp(prefix=f".{folder.name or 'out'}.", dir=folder.absolute().parent))
-    except OSError as error:
-        raise Refused(f"cannot be written: {reason(error)}", str(folder), "Choose another place.") from None
-    done = False
-    try:
-        yield work
-        try:
-            _move_in(work, folder)
-        except OSError as error:
-            raise Refused(f"cannot be written: {reason(error)}", str(folder), "Choose another place.") from None
-        done = True
-    finally:
-        shutil.rmtree(work, ignore_errors=True)
-        if not done:
-            for path in made:
-                with contextlib.suppress(OSError):
-                    path.rmdir()
+        for path in reversed(missing):
+            act.make_folder(path)
+            made.append(path)
+        yield
+    except BaseException:
+        for path in reversed(made):
+            with contextlib.suppress(OSError):
+                act.remove_folder(path)
+        raise
 
 
-def _move_in(work: Path, folder: Path) -> None:
-    folder.mkdir(exist_ok=True)
-    for source in sorted(work.rglob("*")):
-        target = folder / source.relative_to(work)
-        if source.is_dir():
-            target.mkdir(exist_ok=True)
-        else:
-            os.replace(source, target)
+def remove_left(folder: Path) -> None:
+    """Remove single files that an earlier run was writing to `folder` when it was stopped."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith(MARK) and entry.name.endswith(".part") and entry.is_file(follow_symlinks=False):
+                if time.time() - entry.stat(follow_symlinks=False).st_mtime > LEFT_AFTER:
+                    operations.current().remove(entry.path)
 
 
 def neutral(text) -> str:

@@ -24,7 +24,8 @@ from sensworkbench.core.refusal import Refused
 
 from . import column_names, csv_table, plan_report, readings_csv, sensitivity_out
 from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
-from .files import neutral, staged
+from .file_sets import staged
+from .files import neutral, write_text
 from .plan_report import SUGGESTED, number_words
 
 FEWEST, MOST = 30, 100_000  # readings of a suggested plan
@@ -259,9 +260,9 @@ def write(folder, checked: Checked, data: dict) -> list[Path]:
     }
     if checked.suggested is not None:
         texts[SUGGESTED] = positions_csv(checked.suggested.readings)
-    with staged(folder) as work:
+    with staged(folder, "plan") as work:
         for name, text in texts.items():
-            (work / name).write_text(text, encoding="utf-8")
+            write_text(work / name, text)
     return [Path(folder) / name for name in texts]
 
 

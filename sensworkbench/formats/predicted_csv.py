@@ -13,6 +13,7 @@ from sensworkbench.core.refusal import Refused
 
 from . import column_names, csv_table
 from .column_names import ERROR
+from .file_sets import staged_file
 from .files import write_text
 from .readings_conventions import question
 
@@ -52,7 +53,8 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
     lines += [
         table.separator.join(_quoted(c, table.separator) for c in row) for row in (header, *zip(*columns, strict=True))
     ]
-    write_text(path, "\n".join(lines) + "\n")
+    with staged_file(path, "predict") as work:
+        write_text(work, "\n".join(lines) + "\n")
 
 
 def _quoted(cell: str, separator: str) -> str:

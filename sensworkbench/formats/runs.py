@@ -17,7 +17,10 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.workspace import Sensitivity
 
 from . import report, sensitivity_out, tolerances
-from .files import reason, staged
+from .file_sets import staged
+from .files import read_bytes, write_text
+
+PICTURE_LIMIT = 64 * 2**20  # bytes
 
 
 @dataclass(frozen=True)
@@ -87,9 +90,9 @@ def write(
         "sensitivity.csv": sensitivity_out.csv_text(data),
         "report.html": report.sensitivity_report(data, picture),
     }
-    with staged(folder) as work:
+    with staged(folder, "sensitivity") as work:
         for name, text in texts.items():
-            (work / name).write_text(text, encoding="utf-8")
+            write_text(work / name, text)
         if extra is not None:
             extra(work)
         names = sorted(str(p.relative_to(work)) for p in work.rglob("*") if p.is_file() and p.name not in texts)
@@ -98,10 +101,7 @@ def write(
 
 def read_picture(path) -> bytes:
     """The bytes of a PNG file; refuses anything else."""
-    try:
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise Refused(f"cannot be read: {reason(error)}", str(path), "Check the name.") from None
+    data = read_bytes(path, PICTURE_LIMIT)
     if not data.startswith(b"\x89PNG\r\n\x1a\n"):
         raise Refused("is not a PNG picture", str(path), "Save the picture as PNG.")
     return data

@@ -16,7 +16,8 @@ from sensworkbench.closedloop.outcome import Outcome
 from sensworkbench.core.machine import Machine
 
 from . import machine_json, sensitivity_out, trace_report
-from .files import staged
+from .file_sets import staged
+from .files import write_text
 
 COVARIANCE = "covariance.npz"
 
@@ -38,9 +39,9 @@ def write(folder, outcome: Outcome, extra: Callable[[Path, Machine], None] | Non
         "machine_augmented.json": machine_json.dumps(machine),
     }
     names, matrix = outcome.covariance
-    with staged(folder) as work:
+    with staged(folder, "trace") as work:
         for name, text in texts.items():
-            (work / name).write_text(text, encoding="utf-8")
+            write_text(work / name, text)
         with open(work / COVARIANCE, "wb") as stream:
             np.savez_compressed(
                 stream, parameters=np.array(names, dtype=str), covariance=np.asarray(matrix, dtype=float)

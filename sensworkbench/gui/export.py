@@ -11,7 +11,7 @@ from pathlib import Path
 from ..core.refusal import Refused
 from ..document import extract, factory, results
 from ..formats import report, sensitivity_out
-from ..formats.files import staged
+from ..formats.file_sets import staged
 from . import messages, settings, state
 from .qt import pump, translate
 
@@ -86,7 +86,7 @@ def export(machine, folder) -> list[Path]:
     }
     if png is not None:
         contents[PICTURE] = png
-    with staged(folder) as work:
+    with staged(folder, "sensitivity") as work:
         for name, content in contents.items():
             (work / name).write_bytes(content)
     return [Path(folder) / name for name in contents]

@@ -193,7 +193,7 @@ def test_files_of_other_names_stay_where_they_are(place):
     write(place.folder / "out" / "notes.txt", "mine")
     assert place("sensitivity", "m.json", "--out", "out").returncode == 0
     names = {p.name for p in (place.folder / "out").iterdir()}
-    assert names == {"notes.txt", "sensitivity.json", "sensitivity.csv", "report.html"}
+    assert names == {"notes.txt", "manifest.json", "sensitivity.json", "sensitivity.csv", "report.html"}
     assert {p.name for p in place.folder.iterdir()} == {"m.json", "out"}
 
 

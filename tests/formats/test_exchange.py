@@ -526,7 +526,7 @@ def test_two_files_may_not_state_the_same_parameter():
 def test_the_statement_names_everything_that_is_not_held(tmp_path, fmt):
     m = machine(effects=EFFECTS)
     written = convert(m, fmt, tmp_path / "out")
-    assert {p.name for p in (tmp_path / "out").iterdir()} == {*written.files, "statement.txt"}
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {*written.files, "statement.txt", "manifest.json"}
     text = (tmp_path / "out" / "statement.txt").read_text(encoding="utf-8")
     assert text == statement(m, written)
     for name, why in written.coverage.missing:

@@ -58,7 +58,7 @@ def test_a_plan_is_checked_by_a_process_of_its_own_without_freecad(place):
     words = ("plan", "m.json", "grid.csv", "--out", "out", "--noise", "0.5", "--suggest", "125")
     done = command(*words, cwd=place, block=place / "block")
     assert (done.returncode, done.stderr) == (0, "")
-    names = {"plan.json", "report.html", "candidates.csv", "positions_suggested.csv"}
+    names = {"plan.json", "report.html", "candidates.csv", "positions_suggested.csv", "manifest.json"}
     assert {p.name for p in (place / "out").iterdir()} == names
     data = checked(place / "out")
     assert (data["format"], data["version"], data["noise_um"]) == ("sens-plan", 1, 0.5)
@@ -191,7 +191,7 @@ def test_a_suggestion_never_overwrites_the_given_plan(place, capsys):
 @pytest.mark.parametrize("fmt", ["isg", "etalon"])
 def test_errors_go_to_a_controller_and_come_back(place, fmt):
     assert run(place, "convert", "fitted.json", "--to", fmt, "--out", place / "tables") == 0
-    files = [p for p in (place / "tables").iterdir() if p.name != "statement.txt"]
+    files = [p for p in (place / "tables").iterdir() if p.name not in ("statement.txt", "manifest.json")]
     assert len(files) == 1 and (place / "tables" / "statement.txt").exists()
     back = place / "back.json"
     assert cli.main(["import-errors", str(place / "m.json"), str(files[0]), "--from", fmt, "--out", str(back)]) == 0

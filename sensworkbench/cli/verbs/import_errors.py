@@ -21,13 +21,15 @@ def add(parser) -> None:
 def run(arguments) -> int:
     from sensworkbench.formats import machine_json
     from sensworkbench.formats.exchange import convert
+    from sensworkbench.formats.file_sets import staged_file
 
     machine = machine_json.load(arguments.machine)
     found, quality, findings = convert.import_errors(
         machine, arguments.source, *arguments.tables, degree=arguments.degree
     )
     common.keep_inputs(arguments.out, arguments.machine, *arguments.tables)
-    machine_json.save(found, arguments.out)
+    with staged_file(arguments.out) as work:
+        machine_json.save(found, work)
     for finding in findings:
         common.say(f"{finding.severity}: {finding.message}")
     for table in quality:

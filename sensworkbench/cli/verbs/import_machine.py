@@ -19,10 +19,12 @@ def add(parser) -> None:
 def run(arguments) -> int:
     from sensworkbench.formats import machine_json
     from sensworkbench.formats.exchange import convert
+    from sensworkbench.formats.file_sets import staged_file
 
     machine, findings = convert.import_machine(arguments.source, arguments.tool_point)
     common.keep_inputs(arguments.out, arguments.source)
-    machine_json.save(machine, arguments.out)
+    with staged_file(arguments.out) as work:
+        machine_json.save(machine, work)
     for finding in findings:
         common.say(f"{finding.severity}: {finding.message}")
     return common.say_paths([arguments.out])

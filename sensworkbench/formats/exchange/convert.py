@@ -12,7 +12,8 @@ from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
-from ..files import read_text, staged, write_text
+from ..file_sets import staged
+from ..files import read_text, write_text
 from . import etalon, fcm, heidenhain, isg, linuxcnc, siemens
 from .axis_tables import axis_tables
 from .coverage import FORMATS, Coverage, after_compensation, expressible
@@ -152,7 +153,7 @@ def convert(machine: Machine, fmt: str, outdir, positions: Readings | None = Non
     """
     written = write(machine, fmt, **options)
     said = statement(machine, written, positions)
-    with staged(outdir) as folder:
+    with staged(outdir, "convert") as folder:
         for name, text in written.files.items():
             write_text(folder / name, text)
         write_text(folder / "statement.txt", said)
