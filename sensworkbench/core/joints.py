@@ -80,6 +80,7 @@ class JointKind:
     name: str
     unit: str  # in which positions are written
     to_internal: float  # mm or rad per that unit
+    angular: bool
     may_be_endless: bool
 
     def twist(self, direction, point) -> np.ndarray:
@@ -97,7 +98,7 @@ class JointKind:
 
 
 class _Linear(JointKind):
-    name, unit, to_internal, may_be_endless = "linear", "mm", 1.0, False
+    name, unit, to_internal, angular, may_be_endless = "linear", "mm", 1.0, False, False
 
     def twist(self, direction, point):
         return np.concatenate([direction, np.zeros(3)])
@@ -110,7 +111,7 @@ class _Linear(JointKind):
 
 
 class _Rotary(JointKind):
-    name, unit, to_internal, may_be_endless = "rotary", "deg", math.pi / 180, True
+    name, unit, to_internal, angular, may_be_endless = "rotary", "deg", math.pi / 180, True, True
 
     def twist(self, direction, point):
         return np.concatenate([np.cross(point, direction), direction])

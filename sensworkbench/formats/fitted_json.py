@@ -9,54 +9,57 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
-from sensworkbench.core.errors import SQUARENESS, component
+from sensworkbench.core.errors import Component, component
 from sensworkbench.core.fitted import Constant, FittedModel, Series, ToolError
 from sensworkbench.core.units import factor
 
 from .json_text import Place, parse, short
 
+Known = Callable[..., Component]
 MAX_DEGREE = 30
 SHIFTS = ("EXW", "EYW", "EZW")
 _OFFSET, _ERROR = "offset_mm", "error_um"
 
 
-def symbols(place: Place):
-    """(ISO symbol, place) of every member; aliases are understood, the same error under two names is refused."""
+def symbols(place: Place, known: Known = component):
+    """(Component, place) of every member; aliases are understood, the same error under two names is refused.
+
+    known : the look-up of a symbol with its place, of a machine's components.
+    """
     seen = {}
     for key, entry in place.members():
         if key.startswith("x-"):
             raise entry.refuse(
                 f"{short(key)} is not kept here", 'Put keys that begin with "x-" at the top of the file.'
             )
-        symbol = component(key, entry.where).symbol
-        if symbol in seen:
-            raise entry.refuse(f"{short(key)} and {short(seen[symbol])} are the same error", "Keep one.")
-        seen[symbol] = key
-        yield symbol, entry
+        c = known(key, entry.where)
+        if c.symbol in seen:
+            raise entry.refuse(f"{short(key)} and {short(seen[c.symbol])} are the same error", "Keep one.")
+        seen[c.symbol] = key
+        yield c, entry
 
 
-def unit_scale(entry: Place, symbol: str) -> float:
+def unit_scale(entry: Place, c: Component) -> float:
     """Factor to mm or rad of the entry's unit; um or urad where it states none."""
-    c = component(symbol)
     if "unit" not in entry:
         return factor(c.unit, angular=c.angular)
     return factor(entry["unit"].string(), angular=c.angular, where=entry["unit"].where)
 
 
 # -- reading ---------------------------------------------------------------------------------------------------------
-def read(place: Place) -> FittedModel:
-    """The model of a parsed "fitted" object.  Refuses with the place of what is wrong."""
+def read(place: Place, known: Known = component) -> FittedModel:
+    """The model of a parsed "fitted" object.  Refuses with the place of what is wrong.  known : see `symbols`."""
     series: dict[str, Series] = {}
     constants: dict[str, Constant] = {}
     more: dict = {}
     extra: dict = {}
     for key, entry in place.members():
         if key == "alignment":
-            more[key] = {symbol: _constant(value, symbol) for symbol, value in symbols(entry)}
+            more[key] = {c.symbol: _constant(value, c) for c, value in symbols(entry, known)}
         elif key == "runs":
-            more[key] = {label: _run(value) for label, value in entry.members()}
+            more[key] = {label: _run(value, known) for label, value in entry.members()}
         elif key == "covariance":
             more[key] = _file_name(entry)
         elif key == "x-tools":
@@ -66,31 +69,31 @@ def read(place: Place) -> FittedModel:
         elif key.startswith("x-"):
             extra[key] = entry.value
         else:
-            symbol = component(key, entry.where).symbol
-            if symbol in series or symbol in constants:
+            c = known(key, entry.where)
+            if c.symbol in series or c.symbol in constants:
                 raise entry.refuse(f"{short(key)} stands twice under two names", "Keep one.")
-            if component(symbol).kind != SQUARENESS and isinstance(entry.value, dict) and "coefficients" in entry:
-                series[symbol] = _series(entry, symbol)
+            if not c.line and isinstance(entry.value, dict) and "coefficients" in entry:
+                series[c.symbol] = _series(entry, c)
             else:
-                constants[symbol] = _constant(entry, symbol)
+                constants[c.symbol] = _constant(entry, c)
     return FittedModel(series=series, constants=constants, extra=extra, **more)
 
 
-def loads(text: str, name: str) -> FittedModel | None:
-    """The model in a text ("" or null: None); `name` stands in refusals."""
+def loads(text: str, name: str, known: Known = component) -> FittedModel | None:
+    """The model in a text ("" or null: None); `name` stands in refusals.  known : see `symbols`."""
     if not text.strip():
         return None
     place = parse(text, name)
-    return None if place.value is None else read(place)
+    return None if place.value is None else read(place, known)
 
 
-def _series(entry: Place, symbol: str) -> Series:
+def _series(entry: Place, c: Component) -> Series:
     entry.keys(("basis", "domain", "coefficients", "unit", "u"), ("basis", "domain", "coefficients", "unit"))
     entry["basis"].string(("legendre",))
     low, high = entry["domain"].numbers(2)
     if not high - low > 1e-9:
         raise entry["domain"].refuse(f"the domain from {low:g} to {high:g} has no length")
-    scale = unit_scale(entry, symbol)
+    scale = unit_scale(entry, c)
     coefficients = entry["coefficients"].numbers()
     if not 1 <= len(coefficients) <= MAX_DEGREE + 1:
         raise entry["coefficients"].refuse(
@@ -102,13 +105,12 @@ def _series(entry: Place, symbol: str) -> Series:
     return Series((low, high), tuple(_scaled(v, scale, entry["coefficients"]) for v in coefficients), u)
 
 
-def _constant(place: Place, symbol: str) -> Constant:
+def _constant(place: Place, c: Component) -> Constant:
     """A number in um or urad, or {"value", "unit", "u"} where u may be null."""
     if not isinstance(place.value, dict):
-        c = component(symbol)
         return Constant(_scaled(place.number(), factor(c.unit, angular=c.angular), place))
     place.keys(("value", "unit", "u"), ("value",))
-    scale = unit_scale(place, symbol)
+    scale = unit_scale(place, c)
     u = _uncertainty(place["u"], scale) if "u" in place else None
     return Constant(_scaled(place["value"].number(), scale, place["value"]), u)
 
@@ -127,10 +129,10 @@ def _uncertainty(place: Place, scale: float) -> float | None:
     return _scaled(place.number(), scale, place)
 
 
-def _run(place: Place) -> dict[str, Constant]:
+def _run(place: Place, known: Known) -> dict[str, Constant]:
     """[ex, ey, ez] in um, or symbol -> value as under "alignment"."""
     if isinstance(place.value, dict):
-        return {symbol: _constant(value, symbol) for symbol, value in symbols(place)}
+        return {c.symbol: _constant(value, c) for c, value in symbols(place, known)}
     return {symbol: Constant(_scaled(e.number(), 1e-3, e)) for symbol, e in zip(SHIFTS, place.elements(3), strict=True)}
 
 
@@ -155,11 +157,11 @@ def _file_name(entry: Place) -> str:
 
 
 # -- writing ---------------------------------------------------------------------------------------------------------
-def to_dict(model: FittedModel) -> dict:
-    """The model as it stands in the file, in um and urad."""
+def to_dict(model: FittedModel, known: Known = component) -> dict:
+    """The model as it stands in the file, in um and urad.  known : see `symbols`."""
     out: dict = {}
     for symbol, s in model.series.items():
-        scale, unit = _unit(symbol)
+        scale, unit = _unit(known(symbol))
         out[symbol] = {
             "basis": "legendre",
             "domain": list(s.domain),
@@ -168,11 +170,11 @@ def to_dict(model: FittedModel) -> dict:
         }
         if s.u:
             out[symbol]["u"] = [None if v is None else shown(v, scale) for v in s.u]
-    out |= {symbol: _constant_dict(symbol, c) for symbol, c in model.constants.items()}
+    out |= {symbol: _constant_dict(known(symbol), value) for symbol, value in model.constants.items()}
     if model.alignment:
-        out["alignment"] = {symbol: _constant_dict(symbol, c) for symbol, c in model.alignment.items()}
+        out["alignment"] = {symbol: _constant_dict(known(symbol), value) for symbol, value in model.alignment.items()}
     if model.runs:
-        out["runs"] = {label: _run_entry(run) for label, run in model.runs.items()}
+        out["runs"] = {label: _run_entry(run, known) for label, run in model.runs.items()}
     if model.tools:
         out["x-tools"] = [{_OFFSET: list(t.offset), _ERROR: [shown(v, 1e-3) for v in t.error]} for t in model.tools]
     if model.ranges:
@@ -182,25 +184,25 @@ def to_dict(model: FittedModel) -> dict:
     return out | dict(model.extra)
 
 
-def dumps(model: FittedModel | None) -> str:
-    """One line of JSON ("" for None)."""
-    return "" if model is None else json.dumps(to_dict(model), allow_nan=False)
+def dumps(model: FittedModel | None, known: Known = component) -> str:
+    """One line of JSON ("" for None).  known : see `symbols`."""
+    return "" if model is None else json.dumps(to_dict(model, known), allow_nan=False)
 
 
-def _unit(symbol: str) -> tuple[float, str]:
-    c = component(symbol)
+def _unit(c: Component) -> tuple[float, str]:
     return factor(c.unit, angular=c.angular), c.unit
 
 
-def _constant_dict(symbol: str, c: Constant) -> dict:
-    scale, unit = _unit(symbol)
-    return {"value": shown(c.value, scale), "unit": unit} | ({} if c.u is None else {"u": shown(c.u, scale)})
+def _constant_dict(c: Component, found: Constant) -> dict:
+    scale, unit = _unit(c)
+    u = {} if found.u is None else {"u": shown(found.u, scale)}
+    return {"value": shown(found.value, scale), "unit": unit} | u
 
 
-def _run_entry(run: Mapping[str, Constant]):
+def _run_entry(run: Mapping[str, Constant], known: Known):
     if set(run) <= set(SHIFTS) and all(c.u is None for c in run.values()):
         return [shown(run[s].value, 1e-3) if s in run else 0.0 for s in SHIFTS]
-    return {symbol: _constant_dict(symbol, c) for symbol, c in run.items()}
+    return {symbol: _constant_dict(known(symbol), value) for symbol, value in run.items()}
 
 
 def shown(value: float, scale: float) -> float:

@@ -11,11 +11,12 @@ from __future__ import annotations
 import contextlib
 import json
 import math
+from dataclasses import replace
 
 from sensworkbench.core.distributions import DISTRIBUTIONS, Tolerance
 from sensworkbench.core.drivers import SHAPES, Effect
-from sensworkbench.core.errors import AXES, DECLARED_SYMBOLS, SQUARENESS, component
-from sensworkbench.core.joints import Joint, linear
+from sensworkbench.core.errors import AXES, component
+from sensworkbench.core.joints import KINDS, Joint, linear
 from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import factor
@@ -25,13 +26,13 @@ from .files import read_text, write_text
 from .fitted_json import MAX_DEGREE, symbols, unit_scale
 from .json_text import Place, parse, short
 
-FORMAT, VERSION = "sens-machine", 1
+FORMAT, VERSIONS = "sens-machine", (1, 2)
 
 _KEYS = (
-    "format", "version", "name", "workpiece_chain", "tool_chain", "axes", "tool_point", "spindle_reference",
+    "format", "version", "name", "workpiece_chain", "tool_chain", "tool_point", "spindle_reference",
     "workpiece_reference", "squareness", "tolerances", "declared", "fitted", "effects",
 )  # fmt: skip
-_REQUIRED = ("format", "version", "workpiece_chain", "tool_chain", "axes", "tool_point")
+_REQUIRED = ("format", "version", "workpiece_chain", "tool_chain", "tool_point")
 
 
 def load(path) -> Machine:
@@ -48,26 +49,32 @@ def from_place(top: Place) -> Machine:
     """The machine in a parsed file."""
     if not isinstance(top.value, dict) or top.value.get("format") != FORMAT:
         raise top.refuse("this is not a machine", f'A machine file is an object with "format": "{FORMAT}".')
-    if "version" in top and top.value["version"] != VERSION:
-        raise top["version"].refuse(f"version {short(top.value['version'])} is not known", f"Known is {VERSION}.")
-    top.keys(_KEYS, _REQUIRED)
-    axes = _axes(top["axes"])
+    version = top.value.get("version")
+    if "version" in top and (isinstance(version, bool) or version not in VERSIONS):
+        raise top["version"].refuse(f"version {short(version)} is not known", f"Known are {VERSIONS}.")
+    joints, more = ("axes", ()) if version == 1 else ("joints", ("frame",))
+    top.keys((*_KEYS, joints, *more), (*_REQUIRED, joints))
     given = {key: tuple(top[key].numbers(3)) for key in ("spindle_reference", "workpiece_reference") if key in top}
     with _refused_at(top):
-        return Machine(
+        bare = Machine(
             name=top["name"].string() if "name" in top else "machine",
-            workpiece_chain=_chain(top["workpiece_chain"]),
-            tool_chain=_chain(top["tool_chain"]),
-            joints=axes,
+            workpiece_chain=_chain(top["workpiece_chain"], version),
+            tool_chain=_chain(top["tool_chain"], version),
+            joints=_axes(top["axes"]) if version == 1 else _joints(top["joints"]),
             tool_point=tuple(top["tool_point"].numbers(3)),
             squareness=top["squareness"].string(SQUARENESS_CONVENTIONS) if "squareness" in top else "direction",
-            tolerances=tolerances(top["tolerances"]) if "tolerances" in top else {},
-            declared=_declared(top["declared"]) if "declared" in top else {},
-            fitted=fitted_json.read(top["fitted"]) if "fitted" in top else None,
-            effects=_effects(top["effects"]) if "effects" in top else (),
             extra={k: v for k, v in top.value.items() if k.startswith("x-")},
+            frame_axes=_frame(top["frame"]) if "frame" in top else None,
+            version=version,
             **given,
         )
+    return replace(
+        bare,
+        tolerances=tolerances(top["tolerances"], bare.component) if "tolerances" in top else {},
+        declared=_declared(top["declared"], bare) if "declared" in top else {},
+        fitted=fitted_json.read(top["fitted"], bare.component) if "fitted" in top else None,
+        effects=_effects(top["effects"], bare) if "effects" in top else (),
+    )
 
 
 @contextlib.contextmanager
@@ -84,39 +91,71 @@ def _refused_at(place: Place):
         raise refused.at(place.where) from None
 
 
-def _chain(place: Place) -> tuple[str, ...]:
-    return tuple(e.string(AXES) for e in place.elements())
+def _chain(place: Place, version: int) -> tuple[str, ...]:
+    return tuple(e.string(AXES if version == 1 else None) for e in place.elements())
 
 
-def _axes(place: Place) -> dict[str, Joint]:
+def _axes(place: Place) -> tuple[Joint, ...]:
+    """The joints of version 1: X, Y and Z, linear."""
     place.keys(AXES, AXES)
-    found = {}
+    found = []
     for name in AXES:
         entry = place[name]
         entry.keys(("direction", "reference", "travel"), ("direction", "reference", "travel"))
         with _refused_at(entry):
-            found[name] = linear(
-                name,
-                tuple(entry["direction"].numbers(3)),
-                tuple(entry["reference"].numbers(3)),
-                tuple(entry["travel"].numbers(2)),
+            found.append(
+                linear(
+                    name,
+                    tuple(entry["direction"].numbers(3)),
+                    tuple(entry["reference"].numbers(3)),
+                    tuple(entry["travel"].numbers(2)),
+                )
             )
-    return found
+    return tuple(found)
 
 
-def tolerances(place: Place) -> dict[str, Tolerance]:
-    """symbol -> Tolerance of an object of {"lower", "upper", "unit", "distribution", "sigma"}."""
+def _joints(place: Place) -> tuple[Joint, ...]:
+    """The joints of version 2, in the order of the file."""
+    found = []
+    for entry in place.elements():
+        keys = ("name", "kind", "direction", "point", "travel", "unit")
+        entry.keys(keys, ("name", "kind", "direction", "point", "travel"))
+        name, kind = entry["name"].string(), KINDS[entry["kind"].string(tuple(KINDS))]
+        unit = entry["unit"].string() if "unit" in entry else kind.unit
+        scale = factor(unit, angular=kind.angular, where=entry["unit"].where if "unit" in entry else entry.where)
+        travel = None
+        if entry.value["travel"] is not None:
+            travel = tuple(v * scale for v in entry["travel"].numbers(2))
+        elif not kind.may_be_endless:
+            raise entry["travel"].refuse("a linear axis has two ends", "Give [lowest, highest] in mm.")
+        with _refused_at(entry):
+            found.append(
+                Joint(name, kind, tuple(entry["direction"].numbers(3)), tuple(entry["point"].numbers(3)), travel)
+            )
+    return tuple(found)
+
+
+def _frame(place: Place) -> tuple[str, str]:
+    place.keys(("primary", "secondary"), ("primary", "secondary"))
+    return place["primary"].string(), place["secondary"].string()
+
+
+def tolerances(place: Place, known=component) -> dict[str, Tolerance]:
+    """symbol -> Tolerance of an object of {"lower", "upper", "unit", "distribution", "sigma"}.
+
+    known : look-up of a symbol with its place among a machine's components.
+    """
     found = {}
-    for symbol, entry in symbols(place):
+    for c, entry in symbols(place, known):
         entry.keys(("lower", "upper", "unit", "distribution", "sigma"), ("lower", "upper"))
-        scale = unit_scale(entry, symbol)
+        scale = unit_scale(entry, c)
         lower, upper = entry["lower"].number(), entry["upper"].number()
         if upper < lower:
             raise entry["upper"].refuse(
                 f"upper limit {upper:g} is below lower limit {lower:g}", "Exchange the two limits."
             )
         with _refused_at(entry):
-            found[symbol] = Tolerance(
+            found[c.symbol] = Tolerance(
                 lower * scale,
                 upper * scale,
                 entry["distribution"].string(DISTRIBUTIONS) if "distribution" in entry else "uniform",
@@ -125,19 +164,19 @@ def tolerances(place: Place) -> dict[str, Tolerance]:
     return found
 
 
-def _declared(place: Place) -> dict[str, int]:
+def _declared(place: Place, machine: Machine) -> dict[str, int]:
     found = {}
-    for symbol, entry in symbols(place):
+    for c, entry in symbols(place, machine.component):
         entry.keys(("shape", "degree"), ("shape",))
         if entry["shape"].string(("polynomial", "none")) == "none":
-            found[symbol] = 0
+            found[c.symbol] = 0
             continue
-        if symbol not in DECLARED_SYMBOLS:
+        if c.symbol not in machine.declared_symbols:
             raise entry.refuse(
-                f"{symbol} has no declared function", "Only the errors of the three axes are declared functions."
+                f"{c.symbol} has no declared function", "Only the errors of the axes are declared functions."
             )
         degree = entry["degree"].integer(0, MAX_DEGREE) if "degree" in entry else 3
-        found[symbol] = min(degree, 1) if component(symbol).kind == SQUARENESS else degree
+        found[c.symbol] = min(degree, 1) if c.line else degree
     return found
 
 
@@ -167,7 +206,7 @@ def _value(place: Place) -> None:
             _uncertainties(place["u"], count)
 
 
-def _effects(place: Place) -> tuple[Effect, ...]:
+def _effects(place: Place, machine: Machine) -> tuple[Effect, ...]:
     found: list[Effect] = []
     for entry in place.elements():
         keys = ("name", "component", "driver", "shape", "parameters", "enabled")
@@ -187,7 +226,7 @@ def _effects(place: Place) -> tuple[Effect, ...]:
         found.append(
             Effect(
                 name=name,
-                component=component(entry["component"].string(), entry["component"].where).symbol,
+                component=machine.component(entry["component"].string(), entry["component"].where).symbol,
                 driver=driver,
                 shape=entry["shape"].string(tuple(SHAPES)),
                 parameters=parameters.value,
@@ -200,34 +239,36 @@ def _effects(place: Place) -> tuple[Effect, ...]:
 # -- writing ---------------------------------------------------------------------------------------------------------
 def to_dict(machine: Machine) -> dict:
     """The machine as plain data, as it stands in the file."""
+    version = written_version(machine)
     data: dict = {
         "format": FORMAT,
-        "version": VERSION,
+        "version": version,
         "name": machine.name,
         "workpiece_chain": list(machine.workpiece_chain),
         "tool_chain": list(machine.tool_chain),
-        "axes": {
-            k: {
-                "direction": list(machine.axes[k].direction),
-                "reference": list(machine.axes[k].reference),
-                "travel": list(machine.axes[k].travel),
-            }
-            for k in AXES
-        },
-        "tool_point": list(machine.tool_point),
     }
+    if version == 1:
+        data["axes"] = {
+            j.name: {"direction": list(j.direction), "reference": list(j.point), "travel": list(j.travel)}
+            for j in machine.joints
+        }
+    else:
+        data["joints"] = [_joint_dict(j) for j in machine.joints]
+        if machine.frame_axes is not None:
+            data["frame"] = dict(zip(("primary", "secondary"), machine.frame_axes))
+    data["tool_point"] = list(machine.tool_point)
     for key in ("spindle_reference", "workpiece_reference"):
         if getattr(machine, key) is not None:
             data[key] = list(getattr(machine, key))
     data["squareness"] = machine.squareness
     if machine.tolerances:
-        data["tolerances"] = {s: tolerance_dict(s, t) for s, t in machine.tolerances.items()}
+        data["tolerances"] = {s: tolerance_dict(s, t, known=machine.component) for s, t in machine.tolerances.items()}
     if machine.declared:
         data["declared"] = {
             s: {"shape": "polynomial", "degree": d} if d else {"shape": "none"} for s, d in machine.declared.items()
         }
     if machine.fitted is not None:
-        data["fitted"] = fitted_json.to_dict(machine.fitted)
+        data["fitted"] = fitted_json.to_dict(machine.fitted, machine.component)
     if machine.effects:
         data["effects"] = [
             {
@@ -243,6 +284,22 @@ def to_dict(machine: Machine) -> dict:
     return data | dict(machine.extra)
 
 
+def written_version(machine: Machine) -> int:
+    """The version of the file that the machine is written as: that it was read from, or 2 where 1 cannot hold it."""
+    plain = machine.names == AXES and all(j.slides for j in machine.joints) and machine.frame_axes is None
+    return machine.version if plain else VERSIONS[-1]
+
+
+def _joint_dict(joint: Joint) -> dict:
+    data = {"name": joint.name, "kind": joint.kind.name, "direction": list(joint.direction), "point": list(joint.point)}
+    if joint.travel is None:
+        return data | {"travel": None, "unit": joint.unit}
+    shown = [exactly_shown(v, joint.from_shown(1.0)) for v in joint.travel]
+    if None in shown:  # only radians read back equal
+        return data | {"travel": list(joint.travel), "unit": "rad"}
+    return data | {"travel": shown, "unit": joint.unit}
+
+
 def dumps(machine: Machine) -> str:
     """The text of machine.json; `loads` of it is equal to `machine`."""
     return json.dumps(to_dict(machine), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
@@ -253,10 +310,13 @@ def save(machine: Machine, path) -> None:
     write_text(path, dumps(machine))
 
 
-def tolerance_dict(symbol: str, tolerance: Tolerance, unit: str | None = None) -> dict:
-    """A tolerance as it stands in the file, in um or urad (or `unit`); mm or rad where only that reads back equal."""
-    angular = component(symbol).angular
-    unit = unit or component(symbol).unit
+def tolerance_dict(symbol: str, tolerance: Tolerance, unit: str | None = None, known=component) -> dict:
+    """A tolerance as it stands in the file, in um or urad (or `unit`); mm or rad where only that reads back equal.
+
+    known : look-up of a symbol among a machine's components.
+    """
+    c = known(symbol)
+    angular, unit = c.angular, unit or c.unit
     values = {"lower": tolerance.lower, "upper": tolerance.upper}
     if tolerance.sigma is not None:
         values["sigma"] = tolerance.sigma
