@@ -187,7 +187,7 @@ tests_in_chroot() { # VERSION: the tiers that `make` runs on the machine's own F
 
 run_job() { # plain, or a VERSION
     if [ "$1" = plain ]; then
-        make --no-print-directory test-style test-plain WORKERS=0
+        make --no-print-directory -k test-style test-plain WORKERS=0
     elif [ "$(root_of "$1")" = / ]; then
         make --no-print-directory -k test-portable test-freecad test-window test-install
     else
