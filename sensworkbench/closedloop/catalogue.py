@@ -1,158 +1,145 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Named physical effects on top of the systematic scan: what a finding is called, how large it may be, what to check.
 
-A finding that matches an entry carries its name; one that matches none is described by body, motion and driver.  The
-sizes are those that machine builders report; they are stated for plausibility, not used to fit.
+A finding takes the name of the first entry of `CATALOGUE` that matches it; one that matches none is described by body,
+motion and driver.  The sizes are those that machine builders report; they are stated for plausibility, not used to fit.
+A new effect is one entry; its words are `effect-<key>`, `-size` and `-check` of `messages/<language>/effects.json`.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
-from ..core.errors import BODY_NAMES, ROTATION, TRANSLATION, component
-from .bank import DIRECTIONS, POSITIONS
+from ..core.driver import POSITIONS, Driver
+from ..core.errors import ROTATION, SQUARENESS, TRANSLATION, Component, component
+from ..core.shapes import Shape
+from ..messages import Message
+
+NEEDED = {  # kind of column -> its names in a file
+    "dir": "dir_x, dir_y, dir_z",
+    "temp": "temp_<name>_C",
+    "load": "load_<name>_kg",
+    "t": "t_s",
+    "feed": "feed_mm_min",
+    "spindle": "spindle_rpm",
+    "x": "x_mm",
+}
 
 
 @dataclass(frozen=True)
 class Physical:
-    """name, size (what is usual), check (what to look at on the machine), needs (columns; not testable without)."""
+    """A named effect.
 
-    name: str
-    size: str
-    check: str
+    key : its name in code and messages.  matches : whether a component with a driver and a shape is this effect, given
+    that no entry before it is.  needs : kinds of columns that it cannot be tested without (keys of `NEEDED`).
+    """
+
+    key: str
+    matches: Callable[[Component, Driver, Shape], bool]
     needs: tuple[str, ...] = ()
 
+    @property
+    def name(self) -> Message:
+        return Message(f"effect-{self.key}")
 
-CATALOGUE = {
-    "reversal": Physical("reversal error (backlash)", "1-20 um", "ball screw nut, coupling, guide preload", ("dir",)),
-    "angular_reversal": Physical(
-        "angular reversal error",
-        "1-30 urad",
-        "guide preload, drive offset from the guides",
+    @property
+    def size(self) -> Message:
+        """What is usual."""
+        return Message(f"effect-{self.key}-size")
+
+    @property
+    def check(self) -> Message:
+        """What to look at on the machine."""
+        return Message(f"effect-{self.key}-check")
+
+
+def _driven_by(*kinds: str) -> Callable[[Component, Driver, Shape], bool]:
+    return lambda c, driver, shape: driver.kinds == set(kinds)
+
+
+def _scale(c: Component, driver: Driver, shape: Shape) -> bool:
+    """A shift along the axis whose place multiplies the temperature."""
+    if driver.kinds != {"temp", "place"} or driver.factors != 2 or c.kind != TRANSLATION:
+        return False
+    return POSITIONS[c.axis] in driver
+
+
+def _bend(c: Component, driver: Driver, shape: Shape) -> bool:
+    return driver.kinds == {"temp", "place"} or (driver.kinds == {"temp"} and c.angular)
+
+
+def _growth(c: Component, driver: Driver, shape: Shape) -> bool:
+    """Along Z: with a memory of the speed, or of the spindle with the time since the start."""
+    if not (shape.settles and c.axis == 2):
+        return False
+    return driver.kinds == {"spindle"} or (driver.kinds == {"t"} and c.body == "T" and c.kind == TRANSLATION)
+
+
+def _drift(c: Component, driver: Driver, shape: Shape) -> bool:
+    return driver.kinds == {"t"} and (shape.warm_up or shape.proportional or shape.series)
+
+
+def _places(c: Component, driver: Driver, shape: Shape) -> bool:
+    return driver.kinds == {"place"} and (shape.proportional or shape.series)
+
+
+# the order is the order of precedence
+_ENTRIES = (
+    Physical("hysteresis", lambda c, driver, shape: shape.play, ("x",)),
+    Physical("cyclic", lambda c, driver, shape: shape.wave and driver.columns[0] in POSITIONS, ("x",)),
+    Physical(
+        "angular-reversal",
+        lambda c, driver, shape: driver.kinds == {"dir"} and driver.factors == 1 and c.kind == ROTATION,
         ("dir",),
     ),
-    "windup": Physical(
-        "position-dependent reversal (wind-up)",
-        "1-10 um",
-        "ball screw stiffness and preload along the travel",
-        ("dir",),
-    ),
-    "following": Physical(
-        "following error with feed and direction",
-        "1-20 um",
-        "servo gain, feed forward",
-        ("dir", "feed"),
-    ),
-    "feed": Physical("error with feed", "1-20 um", "servo gain, feed forward", ("feed",)),
-    "hysteresis": Physical("hysteresis of guide or drive", "1-5 um", "friction, cable chain, preload", ("x",)),
-    "thermal_scale": Physical(
-        "thermal expansion of a scale or screw",
-        "5-25 um/(m K)",
-        "scale temperature, screw cooling, expansion coefficient in the control",
-        ("temp",),
-    ),
-    "thermal_bend": Physical(
-        "thermal bending of the structure",
-        "5-30 um/(m K)",
-        "temperature difference front to back, coolant and sun on the casting",
-        ("temp",),
-    ),
-    "thermal_shift": Physical("thermal displacement", "1-30 um", "heat sources beside the part that moves", ("temp",)),
-    "spindle_growth": Physical("spindle growth", "10-60 um", "spindle cooling, warm-up cycle", ("t", "spindle")),
-    "drift": Physical("drift in time", "1-20 um", "warm-up, fixture, foundation; log temperatures", ("t",)),
-    "slip": Physical("sudden shift in time", "1-50 um", "clamping of workpiece, artefact, probe or tool", ("t",)),
-    "cyclic": Physical(
-        "cyclic error of screw or encoder",
-        "1-10 um (screw)",
-        "screw lead and bearing, encoder head",
-        ("x",),
-    ),
-    "mass": Physical(
-        "deflection under the moved mass",
-        "1-10 um per 100 kg",
-        "guide stiffness, levelling, load on the table",
-        ("load",),
-    ),
-    "overhang": Physical("sag with overhang", "5-30 um", "weight compensation, ram and rail stiffness", ()),
-    "cross": Physical(
-        "carriage that another axis bends",
-        "2-20 um",
-        "stiffness of the guide that carries the other axis",
-        (),
-    ),
-    "spindle": Physical(
-        "displacement with spindle speed",
-        "1-20 um",
-        "spindle bearings, centrifugal growth",
-        ("spindle",),
-    ),
-}
+    Physical("reversal", lambda c, driver, shape: driver.kinds == {"dir"} and driver.factors == 1, ("dir",)),
+    Physical("windup", _driven_by("dir", "place"), ("dir",)),
+    Physical("following", _driven_by("dir", "feed"), ("dir", "feed")),
+    Physical("feed", _driven_by("feed"), ("feed",)),
+    Physical("thermal-scale", _scale, ("temp",)),
+    Physical("thermal-bend", _bend, ("temp",)),
+    Physical("thermal-shift", _driven_by("temp"), ("temp",)),
+    Physical("spindle-growth", _growth, ("t", "spindle")),
+    Physical("drift", _drift, ("t",)),
+    Physical("slip", lambda c, driver, shape: driver.kinds == {"t"} and shape.sudden, ("t",)),
+    Physical("mass", lambda c, driver, shape: {"load"} <= driver.kinds <= {"load", "place"}, ("load",)),
+    Physical("overhang", lambda c, driver, shape: _places(c, driver, shape) and len(driver.names) > 1),
+    Physical("cross", _places),
+    Physical("spindle", _driven_by("spindle"), ("spindle",)),
+)
+CATALOGUE = {entry.key: entry for entry in _ENTRIES}
 
 
-def physical(symbol: str, driver: str, shape: str) -> Physical | None:
-    """The catalogue entry that a finding matches, or None."""
-    c = component(symbol)
-    parts = driver.split("*")
-    kinds = {_kind(p) for p in parts}
-    own = c.body.lower()
-    if shape == "smooth":
+def physical(symbol: str, driver: Driver, shape: Shape) -> Physical | None:
+    """The catalogue entry that a finding matches, or None; a free form matches none."""
+    if shape.free:
         return None
-    if shape == "hysteresis":
-        return CATALOGUE["hysteresis"]
-    if shape == "periodic":
-        return CATALOGUE["cyclic"] if parts[0] == own or parts[0] in POSITIONS else None
-    if kinds == {"dir"} and len(parts) == 1:
-        return CATALOGUE["angular_reversal" if c.kind == ROTATION else "reversal"]
-    if kinds == {"dir", "feed"}:
-        return CATALOGUE["following"]
-    if kinds == {"dir", "place"}:
-        return CATALOGUE["windup"]
-    if kinds == {"feed"}:
-        return CATALOGUE["feed"]
-    if kinds == {"temp", "place"} and len(parts) == 2:
-        along = next(p for p in parts if p in POSITIONS)
-        if c.kind == TRANSLATION and "xyz"[c.axis] == along:
-            return CATALOGUE["thermal_scale"]
-        return CATALOGUE["thermal_bend"]
-    if kinds == {"temp", "place"} or (kinds == {"temp"} and c.angular):
-        return CATALOGUE["thermal_bend"]
-    if kinds == {"temp"}:
-        return CATALOGUE["thermal_shift"]
-    if "load" in kinds and kinds <= {"load", "place"}:
-        return CATALOGUE["mass"]
-    if "spindle" in kinds and kinds <= {"spindle"}:
-        return CATALOGUE["spindle_growth" if shape == "lag" and c.axis == 2 else "spindle"]
-    if kinds == {"t"} and shape == "step":
-        return CATALOGUE["slip"]
-    if kinds == {"t"} and shape in ("approach", "linear", "polynomial"):
-        return CATALOGUE["spindle_growth" if shape == "approach" and symbol == "EZT" else "drift"]
-    if kinds == {"place"} and shape in ("linear", "polynomial"):
-        return CATALOGUE["overhang" if len(set(parts)) > 1 else "cross"]
-    return None
-
-
-def _kind(column: str) -> str:
-    if column in POSITIONS:
-        return "place"
-    if column in DIRECTIONS:
-        return "dir"
-    return next((k for k in ("temp", "load", "feed", "spindle") if column.startswith(k)), column)
-
-
-MOTION = {
-    TRANSLATION: "shift along {}",
-    ROTATION: "rotation about {}",
-    "squareness": "tilt of the direction of motion about {}",
-}
-
-
-def describe(symbol: str, driver: str, shape: str) -> str:
-    """A finding in words: its catalogue name with body and motion, or body, motion and driver."""
     c = component(symbol)
-    motion = f"{BODY_NAMES[c.body]}, {MOTION[c.kind].format('XYZ'[c.axis])}"
+    return next((entry for entry in CATALOGUE.values() if entry.matches(c, driver, shape)), None)
+
+
+MOTION = {TRANSLATION: "effect-motion-shift", ROTATION: "effect-motion-rotation", SQUARENESS: "effect-motion-tilt"}
+ENDS = {"T": "effect-body-tool", "W": "effect-body-workpiece"}
+
+
+def motion_words(symbol: str) -> Message:
+    """Which body moves and how: "Z carriage, rotation about X"."""
+    c = component(symbol)
+    body = Message(ENDS.get(c.body, "effect-body-carriage"), name=c.body)
+    return Message(MOTION[c.kind], body=body, axis="XYZ"[c.axis])
+
+
+def describe(symbol: str, driver: Driver, shape: Shape) -> Message:
+    """A finding in words: its catalogue name with body and motion, or body, motion and driver."""
+    fields = {"motion": motion_words(symbol), "driver": driver.words("x")}
     found = physical(symbol, driver, shape)
-    driven = f"driven by {driver.replace('*', ' x ')}" + ("" if shape in ("linear", "reversal") else f" ({shape})")
-    return f"{found.name}: {motion}, {driven}" if found else f"{motion}, {driven}"
+    code = "effect-unnamed" if found is None else "effect-named"
+    if found is not None:
+        fields["effect"] = found.name
+    if not shape.proportional:
+        return Message(f"{code}-shaped", **fields, shape=shape.words)
+    return Message(code, **fields)
 
 
 def not_testable(columns) -> list[dict]:
@@ -161,7 +148,5 @@ def not_testable(columns) -> list[dict]:
     for entry in CATALOGUE.values():
         lacking = [n for n in entry.needs if not any(c == n or c.startswith(n + "_") for c in columns)]
         if lacking:
-            names = {"dir": "dir_x, dir_y, dir_z", "temp": "temp_<name>_C", "load": "load_<name>_kg", "t": "t_s",
-                     "feed": "feed_mm_min", "spindle": "spindle_rpm", "x": "x_mm"}  # fmt: skip
-            out.append({"effect": entry.name, "needs": ", ".join(names[n] for n in lacking)})
+            out.append({"effect": str(entry.name), "needs": ", ".join(NEEDED[n] for n in lacking)})
     return out

@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core.driver import Driver
+from ..core.shapes import Regressor, Shape
 from .bank import log_tail, useful_columns
 from .scan import Rows
 
@@ -55,6 +57,32 @@ def free_form(columns, names, degree: int | None = None, domains=None) -> FreeFo
                 product = product * table[:, order]
             vectors.append(product)
     return FreeForm(names, np.stack(vectors, axis=1), tuple(orders), tuple(tuple(d) for d in domains))
+
+
+class LegendreForm(Shape):
+    """Legendre products of the driver's columns (`free_form`): stands in for a shape during a trace; never stored"""
+
+    name = "free form"
+    free = True
+    scanned = False
+
+    def __init__(self, degree: int, domains, count: int):
+        super().__init__()
+        self.degree, self.domains, self.count = degree, domains, count
+
+    @property
+    def size(self) -> int:
+        return self.count
+
+    def vectors(self, driver, columns, where=""):
+        return free_form(columns, driver.columns, self.degree, self.domains).vectors
+
+
+def free_regressor(names, columns, degree: int) -> Regressor:
+    """A free form of these columns that can be fitted beside effects (never a name)."""
+    driver = Driver(tuple(names))
+    form = free_form(columns, driver.columns, degree)
+    return Regressor(driver, LegendreForm(degree, form.domains, form.vectors.shape[1]))
 
 
 def subspace_gain(rows: Rows, component: int, vectors) -> tuple[float, int]:

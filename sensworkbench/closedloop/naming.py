@@ -9,8 +9,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.driver import DIRECTIONS, POSITIONS, TIME
 from ..core.errors import component
-from .bank import DIRECTIONS, POSITIONS, Shape
 from .freeform import free_form, normal_score, subspace_gain
 from .scan import Rows, Scanner
 from .search import Candidate
@@ -32,7 +32,7 @@ def slow_columns(columns, names) -> list[str]:
     slow = []
     for name in names:
         v = np.asarray(columns[name], dtype=float)
-        if name in POSITIONS or name in DIRECTIONS or name == "t":
+        if name in POSITIONS or name in DIRECTIONS or name == TIME:
             continue
         step = np.diff(v)
         if len(v) > 20 and float(np.mean(step**2)) < 0.05 * float(np.var(v)):
@@ -42,31 +42,28 @@ def slow_columns(columns, names) -> list[str]:
 
 def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarray]]:
     """Free forms that must gain nothing beyond the candidate: (what it is a form of, vectors (P, m))."""
-    shape = candidate.shape
-    parts = tuple(dict.fromkeys(shape.driver.split("*")))
-    out = []
-    if shape.shape == "periodic":
-        v = columns[shape.driver]
+    driver, out = candidate.driver, []
+    if candidate.shape.wave:
+        v = driver.values(columns)
         harmonics = int(min(24, len(np.unique(v)) // 3, len(v) // 25))
         if harmonics > 1:
-            out.append((f"waves along {shape.driver}", _fourier(v, harmonics)))
+            out.append((f"waves along {driver}", _fourier(v, harmonics)))
         return out
-    slow = [p for p in parts if p in slow_columns(columns, names)]
-    if shape.shape == "lag":
-        parts = (*parts, "t")
+    slow = [p for p in driver.names if p in slow_columns(columns, names)]
+    parts = candidate.regressor.columns
     degree = {1: 9, 2: 6}.get(len(parts), 4)
     out.append((" and ".join(parts), free_form(columns, parts, degree).vectors))
-    if slow and "t" in names:
-        others = tuple(p for p in parts if p not in (*slow, "t"))
+    if slow and TIME in names:
+        others = tuple(p for p in parts if p not in (*slow, TIME))
         if not others:
-            out.append(("time", free_form(columns, ("t",), 12).vectors))
+            out.append(("time", free_form(columns, (TIME,), 12).vectors))
         else:
             # the other factors as they stand, times any smooth function of time
-            scale = np.ones(len(columns["t"]))
-            for name in shape.driver.split("*"):
+            scale = np.ones(len(columns[TIME]))
+            for name in driver.columns:
                 if name in others:
                     scale = scale * columns[name]
-            smooth = np.concatenate([np.ones((len(scale), 1)), free_form(columns, ("t",), 10).vectors], axis=1)
+            smooth = np.concatenate([np.ones((len(scale), 1)), free_form(columns, (TIME,), 10).vectors], axis=1)
             out.append((" and ".join((*others, "time")), scale[:, None] * smooth))
     return out
 
@@ -92,24 +89,24 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
     proportion, as a warm-up or at an instant.  Nor is a polynomial of one temperature (expansion is in proportion), nor
     the temperature of another axis where that of the moving one was not logged.
     """
-    slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {"t"}
+    slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {TIME}
 
     def parts(c: Candidate) -> tuple[set[str], set[str]]:
-        factors = set(c.shape.driver.split("*"))
+        factors = set(c.driver.columns)
         return factors & slow, factors - slow
 
     def bent(c: Candidate) -> bool:
-        if "t" in parts(c)[0]:
-            return c.shape.shape not in ("approach", "step")
-        return c.shape.shape != "linear" or c.shape.factors > len(set(c.shape.driver.split("*")))
+        if TIME in parts(c)[0]:
+            return not (c.shape.warm_up or c.shape.sudden)
+        return not c.shape.proportional or c.driver.repeats
 
     def motion(c: Candidate):
         at = component(c.symbol)
         return c.symbol if at.angular else at.axis
 
     mine, rest = parts(candidate)
-    if candidate.shape.shape == "polynomial" and mine and "t" not in mine:
-        return f"expansion is in proportion: a bent {candidate.shape.driver} stands in for what was not logged"
+    if candidate.shape.series and mine and TIME not in mine:
+        return f"expansion is in proportion: a bent {candidate.driver} stands in for what was not logged"
     own = component(candidate.symbol).body.lower()
     for name in sorted(mine) if own in POSITIONS else ():
         stem, _, axis = name.rpartition("_")
@@ -117,7 +114,7 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
             return f"{name} belongs to another axis, and {stem}_{own} was not logged"
     for o in others if mine else ():
         theirs, same = parts(o)
-        if "step" in (candidate.shape.shape, o.shape.shape):
+        if candidate.shape.sudden or o.shape.sudden:
             continue  # nothing slow looks like an instant
         if theirs and same == rest and motion(o) == motion(candidate) and (bent(o) or bent(candidate)):
             both = " and ".join(sorted(mine | theirs))
@@ -128,11 +125,5 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
 def stands_out(rows: Rows, candidate: Candidate, scanner: Scanner) -> bool:
     """Does a period explain much more than any other line that is left?  Roughness is many lines, a screw is one."""
     gains = scanner.scores(rows.residual).gain
-    lines = np.flatnonzero(scanner.width == 2)
+    lines = np.flatnonzero([s.shape.wave for s in scanner.shapes])
     return not len(lines) or candidate.gain > LINE_RATIO * float(gains[lines].max())
-
-
-def smooth_shape(names, columns, degree: int) -> Shape:
-    """A free form as a shape that can be fitted, predicted and stored (never a name)."""
-    form = free_form(columns, names, degree)
-    return Shape("*".join(form.columns), "smooth", {"degree": degree, "domains": form.domains}, form.vectors.shape[1])

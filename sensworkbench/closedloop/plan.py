@@ -16,13 +16,14 @@ from statistics import NormalDist
 
 import numpy as np
 
-from ..core.drivers import driver_columns
+from ..core.driver import POSITIONS, Driver
 from ..core.errors import COMPONENTS
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..core.shapes import Periodic, Regressor, Shape
 from ..core.synthesis import omega
 from . import catalogue
-from .bank import POSITIONS, Shape, bank, useful_columns
+from .bank import bank, useful_columns
 from .catalogue import Physical
 from .design import ALIGNMENT, ALL_SYMBOLS, Design, alike, declared_columns, design, tool_labels
 from .effects import coefficient_unit
@@ -52,8 +53,7 @@ class Candidate:
 
     symbol: str
     alike: tuple[str, ...]
-    driver: str
-    shape: str
+    regressor: Regressor  # with a middle value of its unknown parameters
     visible: float
     least: float
     amplitude_um: float | None
@@ -61,7 +61,6 @@ class Candidate:
     unit: str
     entry: Physical | None
     place: int  # of its component among the plan's groups
-    example: Shape  # the shape with a middle value of its unknown parameter
     handicap: float
 
     @property
@@ -69,8 +68,12 @@ class Candidate:
         return self.visible < HIDDEN
 
     @property
-    def columns(self) -> frozenset[str]:
-        return frozenset(driver_columns(self.driver))
+    def driver(self) -> Driver:
+        return self.regressor.driver
+
+    @property
+    def shape(self) -> Shape:
+        return self.regressor.shape
 
 
 @dataclass(frozen=True)
@@ -183,79 +186,76 @@ class Plan:
         """The candidates that match a named physical effect."""
         if "candidates" in self.__dict__:
             return [c for c in self.candidates if c.entry]
-        return [c for c in self._scored([s for s in self.bank if s.shape != "periodic"]) if c.entry] + [
+        return [c for c in self._scored([r for r in self.bank if not r.shape.wave]) if c.entry] + [
             c for c in self._scored(self._screws()) if c.entry
         ]
 
-    def _screws(self) -> list[Shape]:
+    def _screws(self) -> list[Regressor]:
         return [
-            Shape(a, "periodic", {"period": p}, 2)
+            Regressor(Driver((a,)), Periodic(period=p))
             for a in POSITIONS
             if a in self.names and len(np.unique(self.readings.columns[a])) >= 8
             for p in LEADS
         ]
 
-    def _scored(self, shapes: list[Shape]) -> list[Candidate]:
-        if not shapes or not self.groups:
+    def _scored(self, regressors: list[Regressor]) -> list[Candidate]:
+        if not regressors or not self.groups:
             return []
         columns = self.readings.columns
-        scanner = Scanner(self.rows, shapes, columns, [g[0] for g in self.groups])
+        scanner = Scanner(self.rows, regressors, columns, [g[0] for g in self.groups])
         alone: dict[tuple, list[int]] = {}
-        for k, shape in enumerate(shapes):
-            alone.setdefault((shape.driver, shape.shape), []).append(k)
+        for k, regressor in enumerate(regressors):
+            alone.setdefault(regressor.key, []).append(k)
         out = []
-        for (driver, kind), members in alone.items():
+        for members in alone.values():
             for place, group in enumerate(self.groups):
-                if _declared(driver, kind, group):
+                if _declared(regressors[members[0]], group):
                     continue
                 share = np.sort(scanner.visible[members, place])
                 middle = members[int(np.argsort(scanner.visible[members, place], kind="stable")[len(members) // 2])]
-                out.append(self._candidate(shapes[middle], place, group, scanner, middle, share))
-        return sorted(out, key=lambda c: (c.handicap, c.symbol, c.driver, c.shape))
+                out.append(self._candidate(regressors[middle], place, group, scanner, middle, share))
+        return sorted(out, key=lambda c: (c.handicap, c.symbol, *c.regressor.key))
 
-    def _candidate(self, shape, place, group, scanner, k, share) -> Candidate:
-        symbols = sorted((ALL_SYMBOLS[i] for i in group), key=lambda s: handicap(s, shape))
-        symbol = symbols[0]
+    def _candidate(self, regressor, place, group, scanner, k, share) -> Candidate:
+        symbols = sorted((ALL_SYMBOLS[i] for i in group), key=lambda s: handicap(s, regressor))
+        symbol, shape = symbols[0], regressor.shape
         visible = float(share[len(share) // 2])
         amplitude = coefficient = None
         if visible >= HIDDEN:
             one = scanner.first[k]
             amplitude = 1e3 * self.noise * float(np.sqrt(self.threshold / (self.readings.points * visible)))
             motion = float(np.sqrt(self.threshold / scanner.shown[one, place]))  # rms over the points
-            size = float(np.sqrt((shape.vectors(self.readings.columns)[:, 0] ** 2).mean()))
+            size = float(np.sqrt((regressor.vectors(self.readings.columns)[:, 0] ** 2).mean()))
             coefficient = motion / size * (1e6 if COMPONENTS[symbol].angular else 1e3)
-        unit = coefficient_unit(symbol, shape.shape, shape.driver, shape.parameters, self.readings.units)
-        if shape.shape == "hysteresis":  # its size is what it saturates at
+        unit = coefficient_unit(symbol, shape, regressor.driver, self.readings.units)
+        if shape.saturation is not None:  # its size is what it saturates at
             unit = COMPONENTS[symbol].unit
-            coefficient = None if coefficient is None else coefficient * shape.parameters["width"]
+            coefficient = None if coefficient is None else coefficient * shape.saturation
         return Candidate(
             symbol=symbol,
             alike=tuple(symbols[1:]),
-            driver=shape.driver,
-            shape=shape.shape,
+            regressor=regressor,
             visible=visible,
             least=float(share[0]),
             amplitude_um=amplitude,
             coefficient=coefficient,
             unit=unit,
-            entry=catalogue.physical(symbol, shape.driver, shape.shape),
+            entry=catalogue.physical(symbol, regressor.driver, shape),
             place=place,
-            example=shape,
-            handicap=handicap(symbol, shape),
+            handicap=handicap(symbol, regressor),
         )
 
     def physical(self) -> Iterator[tuple[Physical, list[Candidate]]]:
         """Every named physical effect with its candidates in this plan, the plainest first; [] if none is testable."""
         by_name: dict[str, list[Candidate]] = {}
         for c in self.named:
-            by_name.setdefault(c.entry.name, []).append(c)
+            by_name.setdefault(c.entry.key, []).append(c)
         for entry in catalogue.CATALOGUE.values():
-            yield entry, by_name.get(entry.name, [])
+            yield entry, by_name.get(entry.key, [])
 
     def smallest_um(self, *keys: str) -> float | None:
         """The smallest detectable rms (um) of the plain, visible candidates of these catalogue entries, or None."""
-        names = {catalogue.CATALOGUE[k].name for k in keys}
-        best = plain([c for c in self.named if c.entry.name in names])
+        best = plain([c for c in self.named if c.entry.key in keys])
         return min((c.amplitude_um for c in best if not c.hidden), default=None)
 
     # -- what looks alike ----------------------------------------------------------------------------------------
@@ -264,17 +264,13 @@ class Plan:
 
         Different shapes of the same motion and columns are no pair.  The plainest `limit` candidates are compared.
         """
-        shown = [
-            c
-            for c in self.named
-            if not c.hidden and len(driver_columns(c.driver)) <= 2 and c.shape not in ("power", "periodic", "step")
-        ][:limit]
+        shown = [c for c in self.named if not c.hidden and c.driver.factors <= 2 and c.shape.compared][:limit]
         if not shown:
             return []
         columns = self.readings.columns
         point = self.readings.point
         levers = self.rows.lever[:, [self.groups[c.place][0] for c in shown]]
-        x = levers * np.stack([c.example.vectors(columns)[:, 0] for c in shown], axis=1)[point]
+        x = levers * np.stack([c.regressor.vectors(columns)[:, 0] for c in shown], axis=1)[point]
         x -= self.rows.q @ (self.rows.q.T @ x)
         size = np.linalg.norm(x, axis=0)
         x /= np.where(size > 0, size, 1.0)
@@ -282,7 +278,7 @@ class Plan:
         out = []
         for i, j in zip(*np.nonzero(np.triu(np.abs(cosine) > SAME, 1))):
             a, b = shown[i], shown[j]
-            if not (a.place == b.place and a.columns == b.columns):
+            if not (a.place == b.place and a.driver.names == b.driver.names):
                 out.append((a, b, float(cosine[i, j])))
         return sorted(out, key=lambda p: p[0].handicap + p[1].handicap)
 
@@ -297,7 +293,7 @@ class Plan:
                 continue
             symbol = f"E{axis.upper()}{axis.upper()}"
             place = next((i for i, g in enumerate(self.groups) if ALL_SYMBOLS.index(symbol) in g), None)
-            shapes = [Shape(axis, "periodic", {"period": p}, 2) for p in LEADS]
+            shapes = [Regressor(Driver((axis,)), Periodic(period=p)) for p in LEADS]
             seen = None if place is None else self._shares(shapes, place)
             strong = alias_frequencies(v)
             for k, lead in enumerate(LEADS):
@@ -378,10 +374,10 @@ def _alias(lead: float, strong, span: float) -> float | None:
     return 1 / slowest
 
 
-def _declared(driver: str, shape: str, group) -> bool:
-    """Is this an axis error driven by its own position, smoothly: what the declared model is made of?"""
-    columns = set(driver_columns(driver))
-    return shape in ("linear", "power") and any({COMPONENTS[ALL_SYMBOLS[i]].body.lower()} == columns for i in group)
+def _declared(regressor: Regressor, group) -> bool:
+    """Is this an axis error in proportion to its own position: what the declared model is made of?"""
+    own = {COMPONENTS[ALL_SYMBOLS[i]].body.lower() for i in group}
+    return regressor.shape.proportional and len(regressor.driver.names) == 1 and regressor.driver.names[0] in own
 
 
 def pairs_in_words(pairs) -> list[dict]:
@@ -391,7 +387,7 @@ def pairs_in_words(pairs) -> list[dict]:
     """
     kept: dict[tuple, dict] = {}
     for a, b, cosine in pairs:
-        drivers = tuple(sorted({a.driver, b.driver}))
+        drivers = tuple(sorted({str(a.driver), str(b.driver)}))
         symbols = tuple(dict.fromkeys((a.symbol, b.symbol)))
         key = drivers if len(drivers) > 1 else symbols
         entry = kept.setdefault(
@@ -401,10 +397,10 @@ def pairs_in_words(pairs) -> list[dict]:
         entry["cosine"] = min(entry["cosine"], abs(cosine))
         words = " / ".join(symbols)
         for name, values in (
-            ("drivers", (a.driver, b.driver)),
-            ("shapes", (a.shape, b.shape)),
+            ("drivers", (str(a.driver), str(b.driver))),
+            ("shapes", (a.shape.name, b.shape.name)),
             ("components", (words,)),
-            ("effects", (a.entry.name, b.entry.name)),
+            ("effects", (str(a.entry.name), str(b.entry.name))),
         ):
             entry[name] += [v for v in dict.fromkeys(values) if v not in entry[name]]
     return list(kept.values())

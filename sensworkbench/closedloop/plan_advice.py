@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.driver import DIRECTIONS, POSITIONS
 from ..core.machine import Machine
-from .bank import DIRECTIONS, POSITIONS
 from .design import tool_labels
 from .plan import LEADS, Plan, as_readings
 from .readings import Readings
@@ -93,8 +93,8 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
         yield Advice(
             "write down the time of every reading (t_s)",
             "smallest drift that is found",
-            plan.smallest_um("drift", "spindle_growth"),
-            base.smallest_um("drift", "spindle_growth"),
+            plan.smallest_um("drift", "spindle-growth"),
+            base.smallest_um("drift", "spindle-growth"),
             "um",
             "without it drift is noise",
         )
@@ -102,8 +102,8 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
     yield Advice(
         "visit the places in random order" + ("" if timed else ", and write down the time of every reading (t_s)"),
         "smallest drift that is found",
-        base.smallest_um("drift", "spindle_growth"),
-        shuffled.smallest_um("drift", "spindle_growth"),
+        base.smallest_um("drift", "spindle-growth"),
+        shuffled.smallest_um("drift", "spindle-growth"),
         "um",
         "places in a fixed order make time the same as position",
     )
@@ -122,8 +122,8 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
         yield Advice(
             "log at least two temperatures that go their own ways (temp_scale_C, temp_column_C)",
             "smallest thermal expansion or bending that is found",
-            plan.smallest_um("thermal_scale", "thermal_bend"),
-            warm.smallest_um("thermal_scale", "thermal_bend"),
+            plan.smallest_um("thermal-scale", "thermal-bend"),
+            warm.smallest_um("thermal-scale", "thermal-bend"),
             "um",
             "judged with two temperatures of a usual warm-up",
         )

@@ -6,12 +6,11 @@ Nothing is decided here: names and verdict come from the trace, and this puts nu
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
-from ..core.drivers import driver_columns
+from ..core.driver import Driver
 from ..core.machine import Machine
+from ..core.parameters import Levels
 from ..core.refusal import Refused
 from ..core.synthesis import omega
 from ..core.workspace import Cancelled, sensitivity
@@ -23,7 +22,7 @@ from .fit import Fit, null_space_words
 from .outcome import Outcome
 from .rivals import Rival, aliases, rivals, separating_measurement
 from .scan import exact_gain
-from .search import Candidate, surface_candidate, vectors_of
+from .search import Candidate, surface_candidate
 from .signs import flipped_findings
 from .tracer import ALPHA, Remainder, Step, Tracer
 from .unlogged import Unlogged
@@ -97,17 +96,17 @@ class TraceReport:
         out = []
         names: set[str] = set()
         for i, c in enumerate(self.model):
-            vectors = vectors_of(c.shape, tracer.readings.columns)
+            vectors = c.vectors(tracer.readings.columns)
             block = slice(at, at + vectors.shape[1])
             at += vectors.shape[1]
             coefficients = self.full.coefficients[block]
-            final = Candidate(c.symbol, c.shape, c.gain, coefficients, c.visible, c.handicap)
+            final = Candidate(c.symbol, c.regressor, c.gain, coefficients, c.visible, c.handicap)
             motion = (vectors @ coefficients) * (1e6 if c.symbol[1] in "ABC0" else 1e3)
             if i < len(self.named):
-                name = describe(c.symbol, c.shape.driver, c.shape.shape)
+                name = str(describe(c.symbol, c.driver, c.shape))
                 self.named[i].candidate = final
             else:
-                name = f"unnamed remainder: {c.symbol} by {c.shape.driver.replace('*', ' and ')}"
+                name = f"unnamed remainder: {c.symbol} by {c.driver.words('and')}"
                 self.smooth[i - len(self.named)] = final
             while name in names:
                 name += " (again)"
@@ -124,23 +123,20 @@ class TraceReport:
         others = [m for j, m in enumerate(self.model) if j != i]
         rows = tracer.rows_with(self.full, others)
         out = {}
-        for key in ("tau", "period", "exponent", "width", "at"):
-            if key not in c.shape.parameters:
-                continue
-            value = c.shape.parameters[key]
-            if key == "at":
-                times = np.unique(tracer.readings.columns[c.shape.driver])
+        driven = c.driver.values(tracer.readings.columns)
+        for key in c.shape.fitted:
+            value, search = c.shape.values[key], c.shape.parameters[key].search
+            if isinstance(search, Levels):
+                times = np.unique(driven)
                 k = int(np.searchsorted(times, value))
                 out[key] = float((times[min(k, len(times) - 1)] - times[max(k - 1, 0)]) / np.sqrt(12))
                 continue
 
             def gain(v, key=key):
-                shape = replace(c.shape, parameters={**c.shape.parameters, key: v})
-                return exact_gain(rows, c.index, vectors_of(shape, tracer.readings.columns))[0]
+                vectors = c.regressor.having(**{key: v}).vectors(tracer.readings.columns)
+                return exact_gain(rows, c.index, vectors)[0]
 
-            step = (
-                0.02 * value if key != "period" else 0.02 * value**2 / np.ptp(tracer.readings.columns[c.shape.driver])
-            )
+            step = search.step(value, float(np.ptp(driven)))
             curve = (2 * gain(value) - gain(value + step) - gain(value - step)) / step**2
             out[key] = float(np.sqrt(2 / curve)) if curve > 0 else float(value)
         return out
@@ -163,13 +159,13 @@ class TraceReport:
                 "size_over_noise": step.size,
                 "rivals": [_rival_entry(r) for r in around],
             }
-            match = physical(c.symbol, c.shape.driver, c.shape.shape)
+            match = physical(c.symbol, c.driver, c.shape)
             if match:
-                entry |= {"usual_size": match.size, "check": match.check}
-            if c.shape.shape == "periodic":
+                entry |= {"catalogue": match.key, "usual_size": str(match.size), "check": str(match.check)}
+            if c.shape.wave:
                 alias = aliases(self.tracer, c, self._others(step))
                 if alias:
-                    listed = ", ".join(f"{p:.4g}" for p in [c.shape.parameters["period"], *alias])
+                    listed = ", ".join(f"{p:.4g}" for p in [c.shape.period, *alias])
                     entry["alias_periods"] = alias
                     entry["note"] = (
                         f"aliased: the spacing of the places cannot tell the periods {listed} mm apart; "
@@ -250,17 +246,17 @@ class TraceReport:
     def _depends_on(self) -> list[dict]:
         found: dict[str, float] = {}
         for step in self.named:
-            for name in driver_columns(step.candidate.shape.driver):
+            for name in step.candidate.driver.columns:
                 found[name] = min(step.p, found.get(name, 1.0))
         if self.structured:
             places = [s.columns for s in [self.remainder.structure] if s is not None]
-            places += [tuple(c.shape.driver.split("*")) for c in self.smooth]
+            places += [c.driver.columns for c in self.smooth]
             for columns in places:
                 for name in columns:
                     found[name] = min(self.remainder.p, found.get(name, 1.0))
             if not places:
                 for step in self.tracer.steps:
-                    for name in driver_columns(step.candidate.shape.driver):
+                    for name in step.candidate.driver.columns:
                         found[name] = min(step.p, found.get(name, 1.0))
         return [{"column": k, "p": v} for k, v in sorted(found.items(), key=lambda item: item[1])]
 
@@ -288,11 +284,11 @@ class TraceReport:
     def _next(self, found_rivals) -> list[dict]:
         out = []
         for step, around in zip(self.named, found_rivals):
-            seen: set[str] = set()
+            seen: set[Driver] = set()
             for rival in around:
-                if len(out) >= 6 or rival.candidate.shape.driver in seen:
+                if len(out) >= 6 or rival.candidate.driver in seen:
                     continue
-                seen.add(rival.candidate.shape.driver)
+                seen.add(rival.candidate.driver)
                 out.append(separating_measurement(self.tracer, step.candidate, rival, self._others(step)))
         if self.structured and self.remainder.structure is not None:
             columns = " and ".join(self.remainder.structure.columns)
@@ -326,8 +322,8 @@ class TraceReport:
         return [
             {
                 "component": s.candidate.symbol,
-                "driver": s.candidate.shape.driver,
-                "shape": s.candidate.shape.shape,
+                "driver": str(s.candidate.driver),
+                "shape": s.candidate.shape.name,
                 "p_familywise": s.p,
                 "why": s.refused,
             }
@@ -360,7 +356,7 @@ class TraceReport:
 
 def _rival_entry(r: Rival) -> dict:
     c = r.candidate
-    return {"component": c.symbol, "driver": c.shape.driver, "shape": c.shape.shape, "why": r.why}
+    return {"component": c.symbol, "driver": str(c.driver), "shape": c.shape.name, "why": r.why}
 
 
 def _weighted_residual(x, y, weight) -> np.ndarray:

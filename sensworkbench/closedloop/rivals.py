@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.driver import DIRECTIONS, POSITIONS
 from ..core.errors import component
 from ..core.synthesis import omega
 from . import evidence
-from .bank import DIRECTIONS, POSITIONS
 from .design import ALL_SYMBOLS, declared_columns
 from .scan import exact_gain
-from .search import Candidate, handicap, vectors_of
+from .search import Candidate, handicap
 from .tracer import RIVAL, Step, Tracer
 
 HELD_OUT_RANGE = 16.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
@@ -37,16 +37,15 @@ def _alike(a: str, b: str) -> bool:
 
 
 def _place(c: Candidate) -> tuple[str, str]:
-    return c.symbol, c.shape.driver
+    return c.symbol, str(c.driver)
 
 
 def _more_general(rival: Candidate, finding: Candidate) -> bool:
     """The same motion and columns through a shape with more freedom - but a warm-up is no padding of a trend."""
-    if not _alike(rival.symbol, finding.symbol) or rival.shape.shape == "approach":
+    if not _alike(rival.symbol, finding.symbol) or rival.shape.warm_up:
         return False
-    same_columns = set(rival.shape.driver.split("*")) == set(finding.shape.driver.split("*"))
-    freedom = lambda c: c.shape.profiled + len(c.coefficients)  # noqa: E731
-    return same_columns and freedom(rival) > freedom(finding)
+    freedom = lambda c: len(c.shape.fitted) + len(c.coefficients)  # noqa: E731
+    return rival.driver.names == finding.driver.names and freedom(rival) > freedom(finding)
 
 
 def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
@@ -59,16 +58,16 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
     for c in step.pool:
         if c.key == finding.key:
             continue
-        gain, coefficients, visible = exact_gain(rows, c.index, vectors_of(c.shape, columns))
+        gain, coefficients, visible = exact_gain(rows, c.index, c.vectors(columns))
         loss = finding.gain - gain
-        c = Candidate(c.symbol, c.shape, gain, coefficients, visible, c.handicap)
+        c = Candidate(c.symbol, c.regressor, gain, coefficients, visible, c.handicap)
         if loss < HELD_OUT_RANGE and not _more_general(c, finding):
             pool.append((c, loss))
     group = next((g for g in tracer.groups if finding.index in g), [])
     for i in group:  # bodies that move alike: nothing at the tool tells them apart
         if i != finding.index:
             symbol = ALL_SYMBOLS[i]
-            mirror = replace(finding, symbol=symbol, handicap=handicap(symbol, finding.shape))
+            mirror = replace(finding, symbol=symbol, handicap=handicap(symbol, finding.regressor))
             if all(c.key != mirror.key for c, _ in pool):
                 pool.append((mirror, 0.0))
     if not pool:
@@ -100,7 +99,7 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
 def _trace_of(tracer: Tracer, c: Candidate, rows) -> np.ndarray:
     """(R,) weighted, projected contribution of a candidate."""
     counts = np.diff(np.r_[rows.start, len(rows.residual)])
-    x = rows.lever[:, c.index] * np.repeat(vectors_of(c.shape, tracer.readings.columns) @ c.coefficients, counts)
+    x = rows.lever[:, c.index] * np.repeat(c.vectors(tracer.readings.columns) @ c.coefficients, counts)
     return x - rows.q @ (rows.q.T @ x)
 
 
@@ -116,7 +115,7 @@ def _conditions(tracer: Tracer, a: Candidate, b: Candidate):
     q, columns = readings.q, dict(readings.columns)
     tool = np.zeros(3) if readings.tool_offset is None else readings.tool_offset
     rng = np.random.default_rng(tracer.seed)
-    drivers = set(a.shape.columns) | set(b.shape.columns)
+    drivers = set(a.regressor.columns) | set(b.regressor.columns)
     used = [n for n in tracer.names if n in drivers]
     turned = [n for n in DIRECTIONS if n in columns]
     if turned:
@@ -166,7 +165,7 @@ def _prediction(tracer: Tracer, fitted, candidates, q, columns, tool) -> np.ndar
     out = np.einsum("pan,pn->pa", omega(machine, symbols, q, tool), values * fitted.coefficients[keep])
     at = len(fitted.design.terms)
     for c in candidates:
-        v = vectors_of(c.shape, columns)
+        v = c.vectors(columns)
         motion = v @ fitted.coefficients[at : at + v.shape[1]]
         at += v.shape[1]
         out += omega(machine, [c.symbol], q, tool)[:, :, 0] * motion[:, None]
@@ -208,19 +207,19 @@ def separating_measurement(tracer: Tracer, finding: Candidate, rival: Rival, oth
 
 
 def _words(c: Candidate) -> str:
-    return f"{c.symbol} by {c.shape.driver}" + (f" ({c.shape.shape})" if c.shape.shape not in ("linear",) else "")
+    return f"{c.symbol} by {c.driver}" + ("" if c.shape.proportional else f" ({c.shape.name})")
 
 
 def aliases(tracer: Tracer, finding: Candidate, others) -> list[float]:
     """Periods (mm) that the readings cannot tell from a periodic finding's own: they lose less than 9 in chi-square."""
-    driver, period = finding.shape.driver, finding.shape.parameters["period"]
+    period = finding.shape.period
     full = tracer.fit_with([*others, finding])
     rows = tracer.rows_with(full, others)
     columns = tracer.readings.columns
-    values = np.unique(np.round(columns[driver], 4))
+    values = np.unique(np.round(finding.driver.values(columns), 4))
     span = float(np.ptp(values))
     gaps = np.diff(values)
-    trial = [s.parameters["period"] for s in tracer.bank if s.shape == "periodic" and s.driver == driver]
+    trial = [r.shape.period for r in tracer.bank if r.key == finding.regressor.key]
     if float(np.ptp(gaps)) < 0.02 * float(gaps.mean()):  # one regular grid: every fold is an alias
         step = float(gaps.mean())
         trial += [1 / abs(sign / period + n / step) for n in range(1, 6) for sign in (1, -1)]
@@ -230,8 +229,7 @@ def aliases(tracer: Tracer, finding: Candidate, others) -> list[float]:
     for f in fine:
         if f <= 0 or abs(f - 1 / period) < 1.0 / span:
             continue
-        shape = replace(finding.shape, parameters={**finding.shape.parameters, "period": 1 / f})
-        gain, _, _ = exact_gain(rows, finding.index, vectors_of(shape, columns))
+        gain, _, _ = exact_gain(rows, finding.index, finding.regressor.having(period=1 / f).vectors(columns))
         if finding.gain - gain < RIVAL:
             found.append((1 / f, gain))
     best: list[float] = []

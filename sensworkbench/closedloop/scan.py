@@ -12,7 +12,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .bank import Shape, log_tail
+from ..core.shapes import Regressor
+from .bank import log_tail
 
 CHUNK = 512  # bank entries at a time
 MOST_KEPT = 60_000  # rows; beyond, one component is kept at a time
@@ -75,7 +76,7 @@ class Scores:
     gain, visible, power : (K, C).  tail : (K, C) -log10 of the single-candidate p.  shapes : the K entries.
     """
 
-    shapes: list[Shape]
+    shapes: list[Regressor]
     gain: np.ndarray
     visible: np.ndarray
     tail: np.ndarray
@@ -84,7 +85,7 @@ class Scores:
 class Scanner:
     """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
 
-    def __init__(self, rows: Rows, shapes: list[Shape], columns, places=None, points=None):
+    def __init__(self, rows: Rows, shapes: list[Regressor], columns, places=None, points=None):
         """places : component numbers to score (default all); components that move alike need one number only.
 
         points : the points (of `columns`) that `rows` holds, where that is not all of them.
@@ -92,7 +93,7 @@ class Scanner:
         self.rows, self.shapes = rows, shapes
         self.places = np.arange(rows.lever.shape[1]) if places is None else np.asarray(places)
         self.lever = rows.lever if places is None else np.ascontiguousarray(rows.lever[:, self.places])
-        self.width = np.array([s.width for s in shapes])
+        self.width = np.array([s.size for s in shapes], dtype=int)
         vectors, owner = [], []
         for k, shape in enumerate(shapes):
             v = shape.vectors(columns)

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.shapes import bump_features
-from .bank import Shape
+from ..core.driver import Driver
+from ..core.shapes import Regressor, Smooth, bump_features
 from .scan import Rows
 
 COARSE = 8
@@ -36,10 +36,12 @@ class Surface:
     freedom: float
     mix: np.ndarray  # (features, k) directions that the readings determine
 
-    def shape(self) -> Shape:
-        """As a shape that the tracer can fit and the machine can store."""
-        parameters = {"bumps": self.bumps, "domains": self.domains, "mix": self.mix}
-        return Shape("*".join(self.columns), "smooth", parameters, self.mix.shape[1])
+    def regressor(self) -> Regressor:
+        """As what the tracer can fit and the machine can store."""
+        order = np.argsort(self.columns, kind="stable")  # a driver's columns are sorted, and with them the bumps
+        bumps, domains = (tuple(values[i] for i in order) for values in (self.bumps, self.domains))
+        mix = self.mix.reshape(*self.bumps, -1).transpose(*order, len(order)).reshape(self.mix.shape)
+        return Regressor(Driver(self.columns), Smooth(mix=mix, bumps=bumps, domains=domains))
 
 
 def _fit(rows: Rows, component: int, features):

@@ -12,18 +12,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..core.drivers import driver_columns
+from ..core.driver import TIME
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
 from .effects import effect_motion
 from .fit import fit
-from .naming import slow_columns, smooth_shape
+from .freeform import free_regressor
+from .naming import slow_columns
 from .outcome import Outcome
 from .readings import Readings
 from .report import TraceReport
 from .scan import exact_gain
-from .search import Candidate, surface_candidate, vectors_of
+from .search import Candidate, surface_candidate
 from .signs import LEAST, checkable, flipped_directions, likelihood, turned
 from .surface import separable, sharpen
 from .tracer import ALPHA, FLOOR, Remainder, Step, Tracer
@@ -150,17 +151,17 @@ def _consistent(tracer: Tracer) -> list[Step]:
             return named
         stand_in = []
         for s in refused:
-            parts = tuple(dict.fromkeys(driver_columns(s.candidate.shape.driver)))[:2]
+            parts = s.candidate.driver.names[:2]
             slow = slow_columns(tracer.readings.columns, parts)
-            if slow and "t" in tracer.names:
-                parts = tuple(dict.fromkeys("t" if p in slow else p for p in parts))
-            shape = smooth_shape(parts, tracer.readings.columns, 8)
-            stand_in.append(Candidate(s.candidate.symbol, shape, 0.0, np.zeros(0), 1.0, 0.0))
+            if slow and TIME in tracer.names:
+                parts = tuple(dict.fromkeys(TIME if p in slow else p for p in parts))
+            form = free_regressor(parts, tracer.readings.columns, 8)
+            stand_in.append(Candidate(s.candidate.symbol, form, 0.0, np.zeros(0), 1.0, 0.0))
         changed = False
         for s in named:
             others = [n.candidate for n in named if n is not s] + stand_in
             full = tracer.fit_with([*others, s.candidate])
-            vectors = vectors_of(s.candidate.shape, tracer.readings.columns)
+            vectors = s.candidate.vectors(tracer.readings.columns)
             gain, _, _ = exact_gain(tracer.rows_with(full, others), s.candidate.index, vectors)
             if gain < 0.4 * s.candidate.gain:
                 s.refused = "a free form in the place of a refused finding explains most of it"
@@ -178,12 +179,12 @@ def _pieces(tracer: Tracer, named) -> bool:
         c = step.candidate
         others = [s.candidate for s in named if s is not step and not s.refused]
         surface = tracer.remainder(others).structure
-        if surface is None or set(surface.columns) <= set(driver_columns(c.shape.driver)):
+        if surface is None or set(surface.columns) <= set(c.driver.columns):
             continue
         beside = [*others, surface_candidate(surface)]
         full = tracer.fit_with([*beside, c])
-        gain, _, _ = exact_gain(tracer.rows_with(full, beside), c.index, vectors_of(c.shape, tracer.readings.columns))
-        alone = exact_gain(tracer.rows_with(full, others), c.index, vectors_of(c.shape, tracer.readings.columns))[0]
+        gain, _, _ = exact_gain(tracer.rows_with(full, beside), c.index, c.vectors(tracer.readings.columns))
+        alone = exact_gain(tracer.rows_with(full, others), c.index, c.vectors(tracer.readings.columns))[0]
         if gain < 0.4 * alone:
             columns = " and ".join(surface.columns)
             step.refused = f"a smooth surface over {columns} explains it and more: it is a piece of another shape"
@@ -239,7 +240,7 @@ def _unlogged(tracer: Tracer, model) -> Unlogged | None:
 
 
 def _verdict(tracer: Tracer, named, structured: bool, hidden) -> str:
-    stand_in = any("t" in driver_columns(s.candidate.shape.driver) and _vague_time(s.candidate) for s in named)
+    stand_in = any(TIME in s.candidate.driver and _vague_time(s.candidate) for s in named)
     if named:
         return PARTLY if structured or hidden or stand_in else EXPLAINED
     if structured:
@@ -249,4 +250,4 @@ def _verdict(tracer: Tracer, named, structured: bool, hidden) -> str:
 
 def _vague_time(c: Candidate) -> bool:
     """Time as a mere stand-in: a trend or power of time, rather than an approach or an instant."""
-    return c.shape.shape not in ("approach", "step")
+    return not (c.shape.warm_up or c.shape.sudden)

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..core.driver import Driver
 from ..core.errors import component
 from ..core.machine import Machine
 from ..core.synthesis import omega
@@ -24,7 +25,7 @@ from .freeform import FreeScan, normal_tail
 from .naming import beyond, stand_in, stands_out
 from .readings import Readings
 from .scan import Rows, Scanner, exact_gain
-from .search import Candidate, merged, polynomials, refine, same_place, search, surface_candidate, vectors_of
+from .search import Candidate, merged, refine, same_place, search, surface_candidate, tried_beside
 from .surface import Surface, locate
 
 FLOOR = 0.2  # of one reading's noise: structure below it is never named
@@ -137,7 +138,7 @@ class Tracer:
             return None
         point, lever = self.readings.point, self.design.lever
         return np.concatenate(
-            [lever[:, [c.index]] * vectors_of(c.shape, self.readings.columns)[point] for c in candidates], axis=1
+            [lever[:, [c.index]] * c.vectors(self.readings.columns)[point] for c in candidates], axis=1
         )
 
     def fit_with(self, candidates) -> Fit:
@@ -185,7 +186,7 @@ class Tracer:
         """Family-wise p, size and held-out gain of `best` beside `others`."""
         full = self.fit_with([*others, best])
         gain, coefficients, visible = exact_gain(
-            self.rows_with(full, others), best.index, vectors_of(best.shape, self.readings.columns)
+            self.rows_with(full, others), best.index, best.vectors(self.readings.columns)
         )
         after = self.rows(full)
         null = self.scanner(after).null_maxima(self.signs)
@@ -193,7 +194,7 @@ class Tracer:
         used = max(int(np.count_nonzero(full.weight)), 1)
         grams, base, mine = self.grams(full, others, [best])
         held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
-        found = Candidate(best.symbol, best.shape, gain, coefficients, visible, best.handicap)
+        found = Candidate(best.symbol, best.regressor, gain, coefficients, visible, best.handicap)
         return Step(found, evidence.p_value(tail, null), float(np.sqrt(gain / used)), held)
 
     def passes(self, step: Step) -> bool:
@@ -242,23 +243,23 @@ class Tracer:
             self.listen(self.fit_with([*others, found[0]]))
         if self.coloured:
             found = self._by_left_out_blocks(others, found)
-        tried: set[str] = set()
+        tried: set[Driver] = set()
         lines = True
         for best in found:
-            if (best.shape.shape == "periodic" and not lines) or best.shape.driver in tried:
+            if (best.shape.wave and not lines) or best.driver in tried:
                 continue
             if len(tried) == 3:
                 return None
             step = self.judge(others, best)
             self.log.append(
-                f"{' '.join(best.key)} {dict(best.shape.parameters)}: gain {step.candidate.gain:.1f}, p {step.p:.4f}, "
+                f"{' '.join(best.key)} {best.shape.values}: gain {step.candidate.gain:.1f}, p {step.p:.4f}, "
                 f"size {step.size:.2f}, held out {step.gain[0]:.1f} +- {step.gain[1]:.1f}"
             )
-            if best.shape.shape == "periodic" and step.p < ALPHA and not self._line(others, step.candidate):
+            if best.shape.wave and step.p < ALPHA and not self._line(others, step.candidate):
                 self.roughness.append(step.candidate)
                 lines = False
                 continue
-            tried.add(best.shape.driver)
+            tried.add(best.driver)
             if self.passes(step):
                 step.pool = found
                 return step
@@ -269,7 +270,7 @@ class Tracer:
     def _by_left_out_blocks(self, others, found) -> list[Candidate]:
         """In noise that remembers, chi-square flatters every slow column: order by long blocks left out instead, and
         among those within a standard error of the best take the plainest."""
-        plain = [c for c in found if c.shape.factors == 1 or len(set(c.shape.driver.split("*"))) == 1][:40]
+        plain = [c for c in found if len(c.driver.names) == 1][:40]
         if not plain:
             return found
         grams, base, mine = self.grams(self.fit_with(others), others, plain)
@@ -303,8 +304,8 @@ class Tracer:
                     continue
                 scanner = self.scanner(rows)
                 found = search(rows, self.readings, scanner, self.names, self.groups)
-                if step.candidate.shape.shape != "periodic":
-                    found = [c for c in found if c.shape.shape != "periodic" or not self.roughness]
+                if not step.candidate.shape.wave:
+                    found = [c for c in found if not c.shape.wave or not self.roughness]
                 if not found:
                     continue
                 changed |= found[0].key != step.candidate.key
@@ -331,14 +332,14 @@ class Tracer:
         rows = self.rows_with(full, [])
         leaders: list[Candidate] = []
         for c in search(rows, self.readings, self.scanner(rows), self.names, self.groups):
-            alike = [o for o in leaders if o.shape.shape == c.shape.shape]
-            if len(alike) < OF_A_SHAPE and all(o.shape.driver != c.shape.driver for o in alike):
+            alike = [o for o in leaders if o.shape.name == c.shape.name]
+            if len(alike) < OF_A_SHAPE and all(o.driver != c.driver for o in alike):
                 leaders.append(c)
         own = {c.key for c in self.candidates}
         left = self.rows_with(full, self.candidates).residual
         now = float(rows.residual @ rows.residual - left @ left) - sum(c.handicap for c in self.candidates)
         best: tuple[float, list[Candidate]] = (now + CERTAIN, [])
-        shaped = polynomials(rows, [ALL_SYMBOLS[c] for c in self.places], self.readings.columns, self.names)
+        shaped = tried_beside(rows, [ALL_SYMBOLS[c] for c in self.places], self.readings.columns, self.names)
         for c in [*leaders, *shaped]:
             if c.key not in own and c.score > best[0]:
                 best = (c.score, [c])
@@ -402,7 +403,7 @@ class Tracer:
     def amplitude_um(self, c: Candidate) -> float:
         """3-D rms over the points, um."""
         column = omega(self.machine, [c.symbol], self.readings.q, self.readings.tool_offset)[:, :, 0]
-        motion = vectors_of(c.shape, self.readings.columns) @ c.coefficients
+        motion = c.vectors(self.readings.columns) @ c.coefficients
         return 1e3 * float(np.sqrt((column**2).sum(axis=1) @ motion**2 / len(motion)))
 
     # -- what is left ----------------------------------------------------------------------------------------------

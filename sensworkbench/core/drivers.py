@@ -70,8 +70,11 @@ def driver_values(driver: str, columns: Mapping[str, np.ndarray], where: str = "
 def shape_basis(effect: Effect, columns: Mapping[str, np.ndarray], where: str = "") -> np.ndarray:
     """(P, m) the columns that an effect's coefficients multiply, before lever arms."""
     where = where or f"effect {effect.name!r}"
-    kept = {k: v["value"] if isinstance(v, Mapping) else v for k, v in effect.parameters.items()}
     shape = shape_class(effect.shape, where)
+    kept = {k: v["value"] if isinstance(v, Mapping) else v for k, v in effect.parameters.items()}
+    for key, parameter in shape.parameters.items():
+        if key in kept and isinstance(kept[key], list):
+            kept[key] = parameter.of_numbers(kept[key])
     if "degree" in shape.parameters:
         kept.setdefault("degree", len(np.atleast_1d(effect.parameter("coefficient", [0.0]))))
     regressor = Regressor(Driver.parse(effect.driver), shape(**{k: kept[k] for k in shape.parameters if k in kept}))

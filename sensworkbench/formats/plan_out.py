@@ -153,7 +153,13 @@ def to_dict(checked: Checked) -> dict:
         "effects": [_entry(entry, found) for entry, found in plan.physical()],
         "not_testable": plan.not_testable,
         "hidden": [
-            {"name": c.entry.name, "component": c.symbol, "driver": c.driver, "shape": c.shape, "visible": c.visible}
+            {
+                "name": str(c.entry.name),
+                "component": c.symbol,
+                "driver": str(c.driver),
+                "shape": c.shape.name,
+                "visible": c.visible,
+            }
             for c in plan.named
             if c.hidden
         ],
@@ -189,8 +195,8 @@ def _entry(entry, found: list[Candidate]) -> dict:
     best = planning.plain(found)
     plain = next((c for c in best if not c.hidden), best[0] if best else None)
     out = {
-        "name": entry.name,
-        "usual_size": entry.size,
+        "name": str(entry.name),
+        "usual_size": str(entry.size),
         "candidates": len(found),
         "visible": sum(not c.hidden for c in found),
         "plainest": None,
@@ -199,8 +205,8 @@ def _entry(entry, found: list[Candidate]) -> dict:
         out["plainest"] = {
             "component": plain.symbol,
             "also": list(plain.alike),
-            "driver": plain.driver,
-            "shape": plain.shape,
+            "driver": str(plain.driver),
+            "shape": plain.shape.name,
             "visible_share": plain.visible,
             "smallest": None if plain.coefficient is None else {"value": plain.coefficient, "unit": plain.unit},
             "smallest_um": plain.amplitude_um,
@@ -218,10 +224,10 @@ def candidates_csv(plan: Plan) -> str:
     )  # fmt: skip
     for c in plan.candidates:
         number = lambda v: "" if v is None else f"{v:.6g}"  # noqa: E731
-        texts = (c.symbol, " ".join(c.alike), neutral(c.driver), c.shape)
+        texts = (c.symbol, " ".join(c.alike), neutral(str(c.driver)), c.shape.name)
         writer.writerow(
             (*texts, f"{c.visible:.4f}", f"{c.least:.4f}", number(c.amplitude_um), number(c.coefficient),
-             neutral(c.unit), c.entry.name if c.entry else "")
+             neutral(c.unit), str(c.entry.name) if c.entry else "")
         )  # fmt: skip
     return stream.getvalue()
 

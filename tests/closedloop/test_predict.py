@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from sensworkbench.closedloop import outcome
-from sensworkbench.closedloop.bank import Shape
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.effects import effect_motion, to_effect
 from sensworkbench.closedloop.predict import extrapolated, needed_columns, predict
 from sensworkbench.closedloop.readings import Readings
-from sensworkbench.closedloop.search import Candidate, vectors_of
+from sensworkbench.closedloop.search import Candidate
 from sensworkbench.closedloop.surface import surface
 from sensworkbench.closedloop.tracer import Tracer, surface_candidate
 from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Regressor
 from sensworkbench.formats import machine_json
 
 from .support import APART, both, measured, scattered, session
@@ -26,18 +26,18 @@ from .support import APART, both, measured, scattered, session
 NOISE = 0.3e-3
 TOOLS = np.array([(0.0, 0.0, 0.0), (70.0, 0.0, -60.0), (0.0, 70.0, -120.0)])
 SHAPES = {
-    "linear": ("EAZ", Shape("temp_column", "linear")),
-    "product": ("EXX", Shape("temp_column*x", "linear")),
-    "square": ("EXX", Shape("temp_column*x*x", "linear")),
-    "reversal": ("EXX", Shape("dir_x", "reversal")),
-    "polynomial": ("EYZ", Shape("temp_ambient", "polynomial", {"degree": 3, "domain": (-1.0, 1.0)})),
-    "periodic": ("EXX", Shape("x", "periodic", {"period": 47.3}, 2)),
-    "approach": ("EZT", Shape("t", "approach", {"tau": 800.0})),
-    "step": ("EZW", Shape("t", "step", {"at": 905.0})),
-    "lag": ("EBY", Shape("temp_column", "lag", {"tau": 300.0})),
-    "power": ("EBZ", Shape("temp_column", "power", {"exponent": 2.5})),
-    "hysteresis": ("EYY", Shape("y", "hysteresis", {"width": 20.0})),
-    "squareness": ("C0Y", Shape("temp_ambient", "linear")),
+    "linear": ("EAZ", Regressor.make("temp_column", "linear")),
+    "product": ("EXX", Regressor.make("temp_column*x", "linear")),
+    "square": ("EXX", Regressor.make("temp_column*x*x", "linear")),
+    "reversal": ("EXX", Regressor.make("dir_x", "reversal")),
+    "polynomial": ("EYZ", Regressor.make("temp_ambient", "polynomial", degree=3, domain=(-1.0, 1.0))),
+    "periodic": ("EXX", Regressor.make("x", "periodic", period=47.3)),
+    "approach": ("EZT", Regressor.make("t", "approach", tau=800.0)),
+    "step": ("EZW", Regressor.make("t", "step", at=905.0)),
+    "lag": ("EBY", Regressor.make("temp_column", "lag", tau=300.0)),
+    "power": ("EBZ", Regressor.make("temp_column", "power", exponent=2.5)),
+    "hysteresis": ("EYY", Regressor.make("y", "hysteresis", width=20.0)),
+    "squareness": ("C0Y", Regressor.make("temp_ambient", "linear")),
 }
 
 
@@ -58,7 +58,7 @@ def augmented(tracer: Tracer, candidates):
     full = tracer.fit_with(candidates)
     at, effects = len(full.design.terms), []
     for i, c in enumerate(candidates):
-        m = vectors_of(c.shape, tracer.readings.columns).shape[1]
+        m = c.vectors(tracer.readings.columns).shape[1]
         block = slice(at, at + m)
         at += m
         fitted = replace(c, coefficients=full.coefficients[block])

@@ -10,12 +10,13 @@ import pytest
 from scipy import stats
 
 from sensworkbench.closedloop import evidence
-from sensworkbench.closedloop.bank import Shape, bank, log_tail
+from sensworkbench.closedloop.bank import bank, log_tail
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.freeform import normal_score
 from sensworkbench.closedloop.scan import MIN_VISIBLE, Rows, Scanner, exact_gain
 from sensworkbench.closedloop.search import Candidate, handicap
 from sensworkbench.closedloop.tracer import Tracer
+from sensworkbench.core.shapes import Regressor
 from tests.simulator import make_case
 
 from .support import both, from_case, least_squares, measured, scattered, session
@@ -51,7 +52,7 @@ def drawn(scanned, count: int, width: int, seed: int):
     found = []
     while len(found) < count:
         k, c = int(rng.integers(len(tracer.bank))), int(rng.integers(len(ALL_SYMBOLS)))
-        if tracer.bank[k].width == width and scanner.visible[k, c] > MIN_VISIBLE:
+        if tracer.bank[k].size == width and scanner.visible[k, c] > MIN_VISIBLE:
             found.append((k, c))
     return found
 
@@ -70,7 +71,7 @@ def test_the_gain_of_a_candidate_is_the_drop_of_chi_square_of_a_refit(scanned, w
 
 def test_the_gain_beside_other_effects_is_that_of_a_refit_with_them(scanned):
     tracer, fitted, _, _ = scanned
-    other = Candidate("EXX", Shape("temp_scale_x*x", "linear"), 0.0, np.zeros(0), 1.0, 0.0)
+    other = Candidate("EXX", Regressor.make("temp_scale_x*x", "linear"), 0.0, np.zeros(0), 1.0, 0.0)
     rows = tracer.rows_with(fitted, [other])
     weighted = np.hstack([tracer.design.matrix, tracer.columns_of([other])]) * fitted.weight[:, None]
     y = tracer.readings.value * fitted.weight
@@ -105,7 +106,7 @@ def test_all_scores_at_once_are_the_scores_one_by_one(scanned, width):
 
 def test_components_that_the_model_holds_already_gain_nothing(scanned):
     tracer, _, _, scanner = scanned
-    linear_x = next(k for k, s in enumerate(tracer.bank) if (s.driver, s.shape) == ("x", "linear"))
+    linear_x = next(k for k, s in enumerate(tracer.bank) if s.key == ("x", "linear"))
     scores = scanner.scores()
     assert scores.visible[linear_x, ALL_SYMBOLS.index("EXX")] < 1e-6
     assert scores.tail[linear_x, ALL_SYMBOLS.index("EXX")] == 0
@@ -125,24 +126,27 @@ def test_a_bank_speaks_of_every_column_that_varies_and_of_no_other():
     columns = session(120) | {"feed": np.full(120, 2000.0)}
     readings = measured(simulated, scattered(120), columns=columns)
     shapes = bank(readings)
-    spoken = {c for s in shapes for c in s.driver.split("*")}
+    spoken = {c for s in shapes for c in s.driver.columns}
     assert spoken == {"x", "y", "z", "t", "dir_x", "temp_column", "temp_ambient"}
-    kinds = {s.shape for s in shapes}
+    kinds = {s.shape.name for s in shapes}
     assert kinds == {"linear", "reversal", "periodic", "approach", "step", "lag", "power", "hysteresis"}
-    assert len({(s.driver, s.shape, tuple(s.parameters.items())) for s in shapes}) == len(shapes)
-    assert all(s.driver == "*".join(sorted(s.driver.split("*"))) for s in shapes)
+    assert len(set(shapes)) == len(shapes)
+    assert all(list(s.driver.columns) == sorted(s.driver.columns) for s in shapes)
 
 
 @pytest.mark.parametrize(
     ("plain", "behind"),
     [
-        (("EXX", Shape("temp_scale_x*x", "linear")), ("EXX", Shape("t*x", "linear"))),
-        (("EXX", Shape("dir_x", "reversal")), ("EXY", Shape("dir_x", "reversal"))),
-        (("EXY", Shape("temp_column*y", "linear")), ("C0Y", Shape("temp_column", "linear"))),
-        (("EAZ", Shape("temp_column", "linear")), ("EAZ", Shape("temp_column", "power", {"exponent": 2.0}))),
-        (("EZT", Shape("t", "approach", {"tau": 9.0})), ("EXT", Shape("t", "approach", {"tau": 9.0}))),
-        (("EZW", Shape("t", "step", {"at": 9.0})), ("EZZ", Shape("t", "step", {"at": 9.0}))),
-        (("EXX", Shape("dir_x*x", "linear")), ("EXX", Shape("dir_x*feed*x", "linear"))),
+        (("EXX", Regressor.make("temp_scale_x*x", "linear")), ("EXX", Regressor.make("t*x", "linear"))),
+        (("EXX", Regressor.make("dir_x", "reversal")), ("EXY", Regressor.make("dir_x", "reversal"))),
+        (("EXY", Regressor.make("temp_column*y", "linear")), ("C0Y", Regressor.make("temp_column", "linear"))),
+        (
+            ("EAZ", Regressor.make("temp_column", "linear")),
+            ("EAZ", Regressor.make("temp_column", "power", exponent=2.0)),
+        ),
+        (("EZT", Regressor.make("t", "approach", tau=9.0)), ("EXT", Regressor.make("t", "approach", tau=9.0))),
+        (("EZW", Regressor.make("t", "step", at=9.0)), ("EZZ", Regressor.make("t", "step", at=9.0))),
+        (("EXX", Regressor.make("dir_x*x", "linear")), ("EXX", Regressor.make("dir_x*feed*x", "linear"))),
     ],
 )
 def test_among_equals_the_canonical_name_comes_first(plain, behind):
@@ -252,7 +256,7 @@ def test_a_p_value_counts_the_observed_one_among_the_flips():
 
 def test_the_shift_of_a_candidate_between_bodies_does_not_change_its_gain(scanned):
     tracer, _, rows, _ = scanned
-    vectors = Shape("temp_column", "linear").vectors(tracer.readings.columns)
+    vectors = Regressor.make("temp_column", "linear").vectors(tracer.readings.columns)
     gains = [exact_gain(rows, ALL_SYMBOLS.index(s), vectors)[0] for s in ("EXX", "EXY", "EXZ", "EXT", "EXW")]
     assert gains == pytest.approx([gains[0]] * 5, rel=1e-9)
     assert replace(rows).per_point(0)[2].shape == (tracer.readings.points,)
@@ -274,5 +278,5 @@ def test_nothing_is_left_of_noise_where_a_scan_looks_at_some_points_only(monkeyp
     bend = {"EAZ": 5e-6 * columns["temp_column"]}
     readings = measured(simulated, scattered(900, seed), bend, columns, NOISE, seed=seed)
     tracer = Tracer(machine, readings, seed=seed)
-    found = Candidate("EAZ", Shape("temp_column", "linear", {}), 0.0, np.zeros(1), 1.0, 0.0)
+    found = Candidate("EAZ", Regressor.make("temp_column", "linear"), 0.0, np.zeros(1), 1.0, 0.0)
     assert tracer.thin is not None and tracer.remainder([found]).p > 0.01

@@ -10,13 +10,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sensworkbench.closedloop.bank import Shape
 from sensworkbench.closedloop.naming import stand_in
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.search import Candidate
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Regressor
 from sensworkbench.core.workspace import Cancelled
 from sensworkbench.formats import machine_json, readings_csv
 from tests.simulator import make_case, write_case
@@ -221,7 +221,7 @@ def test_a_wrong_sign_is_pointed_out_beside_an_effect(tmp_path):
 
 
 def candidate(symbol, driver, shape="linear", **parameters) -> Candidate:
-    return Candidate(symbol, Shape(driver, shape, parameters), 100.0, np.ones(1), 1.0, 0.0)
+    return Candidate(symbol, Regressor.make(driver, shape, **parameters), 100.0, np.ones(1), 1.0, 0.0)
 
 
 def test_pieces_of_slow_columns_are_no_names_but_one_temperature_is():

@@ -12,16 +12,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sensworkbench.closedloop.bank import Shape
 from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.predict import predict
-from sensworkbench.closedloop.search import vectors_of
 from sensworkbench.core.drivers import Effect, effect_values
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
 from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.joints import linear
 from sensworkbench.core.machine import Machine, structure_chains
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Smooth
 from sensworkbench.core.synthesis import volumetric_error
 from sensworkbench.formats import fitted_json, readings_csv
 from sensworkbench.formats.exchange import etalon, isg
@@ -341,8 +340,7 @@ def test_the_predictor_of_the_program_tells_the_error_after_compensation(tmp_pat
 
 
 def test_a_free_form_of_positions_is_a_table_too():
-    shape = Shape("x", "smooth", {"bumps": (5,), "domains": ((-200.0, 200.0),)})
-    height = np.linspace(-1, 2, vectors_of(shape, {"x": np.zeros(2)}).shape[1]).tolist()
+    height = np.linspace(-1, 2, Smooth(bumps=(5,), domains=((-200.0, 200.0),)).size).tolist()
     wavy = effect("wavy", "EZX", "x", "smooth", coefficient=height, bumps=[5.0], domains=[-200.0, 200.0])
     m = machine(fitted={}, effects=[wavy])
     q = places()

@@ -86,13 +86,14 @@ class Shape:
     """A shape with its parameters.  Two of one class and equal parameters are equal.
 
     Class attributes: `name` (in files); `parameters` (name -> Parameter, collected from the class); `prior` (chi-square
-    by which a plainer shape goes first, or, below zero, this one); and what is true of it:
+    by which a simpler shape goes first, or, below zero, this one); and what is true of it:
     `needs_time` (the column t takes part); `memory` (the order of the rows matters, so it is no function of its
-    driver); `proportional` (in proportion to its driver); `wave` (repeats along its driver); `sudden` (jumps);
-    `warm_up` (what every machine does after the start); `settles` (tends to a final value); `play` (follows with play,
-    and holds the reversal of the same axis); `series` (terms of higher and higher order); `free` (follows anything:
-    locates, never names); `tabulable` (a table over positions can hold it); `scanned` (stands in the bank with at most
-    two columns; else it is tried beside the leaders of a search).
+    driver); `proportional` (in proportion to its driver); `wave` (repeats along its driver; its parameter is `period`);
+    `sudden` (jumps); `warm_up` (what every machine does after the start); `settles` (tends to a final value); `play`
+    (follows with play, and holds the reversal of the same axis); `series` (terms of higher and higher order); `free`
+    (follows anything: locates, never names); `tabulable` (a table over positions can hold it); `compared` (a plan looks
+    for effects that it could not tell from one of this shape); `scanned` (stands in the bank, with at most two
+    coefficients; else it is tried beside the leaders of a search).
     """
 
     name: ClassVar[str] = ""
@@ -110,6 +111,7 @@ class Shape:
     series: ClassVar[bool] = False
     free: ClassVar[bool] = False
     tabulable: ClassVar[bool] = False
+    compared: ClassVar[bool] = True
     scanned: ClassVar[bool] = True
 
     def __init_subclass__(cls, **kwargs):
@@ -161,6 +163,11 @@ class Shape:
     def words(self) -> Message:
         """The shape's name for a reader."""
         return self.title or Message("shape-other", name=self.name)
+
+    @property
+    def saturation(self) -> float | None:
+        """What its columns saturate at, in the driver's unit; None where they do not."""
+        return None
 
     @property
     def unit_power(self) -> float:

@@ -57,6 +57,10 @@ class Hysteresis(Shape):
     def unit_power(self) -> float:
         return 1.0
 
+    @property
+    def saturation(self) -> float:
+        return self.width
+
     def extremes(self, coefficients, low, high):
         most = abs(float(coefficients[0])) * min(self.width, high - low)
         return -most, most

@@ -103,6 +103,7 @@ class Step(Shape):
     """1 where v > at, else 0"""
 
     name, title = "step", Message("shape-step")
+    compared = False
     sudden = True
     at = Parameter(search=Levels())
 
@@ -123,6 +124,7 @@ class Power(Shape):
     """sign(v) |v|^exponent"""
 
     name, title = "power", Message("shape-power")
+    compared = False
     prior = 2.0
     tabulable = True
     exponent = Parameter(NUMBER, above=0.0, most=20.0, search=Evenly(0.5, 0.6, 0.25))
@@ -148,6 +150,7 @@ class Periodic(Shape):
     """sin(2 pi v/period), cos(2 pi v/period)"""
 
     name, title = "periodic", Message("shape-periodic")
+    compared = False
     wave = tabulable = True
     period = Parameter(above=0.0, search=Reciprocal(0.35))
 
