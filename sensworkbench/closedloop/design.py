@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..core.drivers import legendre
-from ..core.errors import AXES, COMPONENTS, DECLARED_SYMBOLS, SQUARENESS, component
+from ..core.errors import COMPONENTS
 from ..core.machine import Machine
 from ..core.synthesis import omega
 from .readings import Readings
@@ -69,16 +69,16 @@ def alike(lever: np.ndarray) -> list[list[int]]:
 
 def declared_orders(machine: Machine, symbol: str) -> range:
     """Legendre orders of a declared function: no constant (alignment, squareness), no slope of a straightness."""
-    c = component(symbol)
+    c = machine.component(symbol)
     degree = machine.declared_degree(symbol)
-    if c.kind == SQUARENESS:
+    if c.line:
         return range(0, 1) if degree else range(0)
-    straight = not c.angular and "XYZ"[c.axis] != c.body
+    straight = not c.angular and c.axis != c.along
     return range(2 if straight else 1, degree + 1)
 
 
 def declared_terms(machine: Machine) -> list[Term]:
-    return [Term("declared", s, k) for s in DECLARED_SYMBOLS for k in declared_orders(machine, s)]
+    return [Term("declared", s, k) for s in machine.declared_symbols for k in declared_orders(machine, s)]
 
 
 def declared_columns(machine: Machine, terms, q) -> np.ndarray:
@@ -87,12 +87,19 @@ def declared_columns(machine: Machine, terms, q) -> np.ndarray:
     cache = {}
     for j, term in enumerate(terms):
         if term.order:
-            k = component(term.symbol).body
+            k = machine.component(term.symbol).body
             if k not in cache:
                 degree = max(t.order for t in terms if t.group == "declared")
-                cache[k] = legendre(q[:, AXES.index(k)], degree, machine.axes[k].travel, start=0)
+                cache[k] = _functions(machine, k, q, degree)
             out[:, j] = cache[k][:, term.order]
     return out
+
+
+def _functions(machine: Machine, name: str, q, degree: int) -> np.ndarray:
+    """(P, degree + 1) Legendre functions of a joint's position over its travel, both as shown (mm, degrees)."""
+    joint = machine.joint(name)
+    place, (low, high) = q[:, machine.names.index(name)], joint.span
+    return legendre(joint.to_shown(place), degree, (joint.to_shown(low), joint.to_shown(high)), start=0)
 
 
 def run_labels(readings: Readings) -> list[str]:

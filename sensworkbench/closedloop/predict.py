@@ -10,7 +10,6 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.drivers import driver_columns, driver_values
-from ..core.errors import AXES, component
 from ..core.fitted import FittedModel
 from ..core.machine import Machine
 from ..core.refusal import Refused
@@ -20,9 +19,10 @@ from .readings import Readings
 
 
 def declared_values(machine: Machine, q) -> dict[str, np.ndarray]:
-    """symbol -> (P,) mm or rad of the fitted declared errors at positions q (P, n)."""
+    """symbol -> (P,) mm or rad of the fitted declared errors at positions q (P, n), mm or rad."""
     fitted = machine.fitted or FittedModel()
-    return {s: fitted.values(s, q[:, AXES.index(component(s).body)]) for s in fitted.symbols}
+    shown = {j.name: j.to_shown(q[:, i]) for i, j in enumerate(machine.joints)}
+    return {s: fitted.values(s, shown[machine.component(s).body]) for s in fitted.symbols}
 
 
 def needed_columns(machine: Machine) -> list[str]:

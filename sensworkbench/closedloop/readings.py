@@ -27,10 +27,12 @@ class Finding:
 class Readings:
     """P points with R >= P rows of displacement.
 
-    q : (P, 3) programmed positions, mm.  point : (R,) the point of each row.  sense : (R, 3) unit vector of sensing, in
+    q : (P, n) programmed positions of the machine's joints, mm or rad.  point : (R,) the point of each row.
+    sense : (R, 3) unit vector of sensing, in
     the machine frame.  value : (R,) error = actual - commanded along `sense`, mm.  u : (R,) standard uncertainty, mm
     (NaN: not stated).  columns : driver columns by name, (P,), in internal units (mm, s, kelvin from 20 degC, -1/0/+1,
-    others as written); always holds x, y, z.  units : unit of each driver column ("" where unknown).
+    others as written); always holds the positions by the joints' columns (mm, degrees).  units : unit of each driver
+    column ("" where unknown).
     categories : text columns, (P,).  run : (P,) labels.  tool_offset : (P, 3) mm, or None.  line : (P,) in the file.
     kind : (R,) 0, 1, 2 for ex, ey, ez and 3 for a reading along its own vector - noise is estimated per kind.
     """

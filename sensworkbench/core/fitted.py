@@ -18,8 +18,8 @@ from .drivers import to_domain
 class Series:
     """An error function of one joint's position: a Legendre series.
 
-    domain : (low, high) of the position, mm or rad, mapped to [-1, 1].  coefficients : (n + 1,) of P_0 .. P_n, mm or
-    rad.  u : (n + 1,) their standard uncertainties, None where not determined; empty: none is known.
+    domain : (low, high) of the position, mm or degrees, mapped to [-1, 1].  coefficients : (n + 1,) of P_0 .. P_n,
+    mm or rad.  u : (n + 1,) their standard uncertainties, None where not determined; empty: none is known.
     """
 
     domain: tuple[float, float]
@@ -27,7 +27,7 @@ class Series:
     u: tuple[float | None, ...] = ()
 
     def __call__(self, q) -> np.ndarray:
-        """The error (P,) at positions q (P,)."""
+        """The error (P,) at positions q (P,), mm or degrees."""
         return np.polynomial.legendre.legval(to_domain(q, self.domain), np.asarray(self.coefficients, dtype=float))
 
     @property
@@ -80,7 +80,7 @@ class FittedModel:
         return (*self.series, *self.constants)
 
     def values(self, symbol: str, q) -> np.ndarray:
-        """The error (P,) of `symbol` at positions q (P,) of its joint; zero where nothing is fitted."""
+        """The error (P,) of `symbol` at positions q (P,) of its joint, mm or degrees; zero where nothing is fitted."""
         if symbol in self.series:
             return self.series[symbol](q)
         constant = self.constants.get(symbol)

@@ -9,6 +9,7 @@ converted and taken off, so that `gap_um` and `gap_mm` are the same driver.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 
@@ -35,6 +36,7 @@ KINDS = {
     "mass": (MASS, "kg"),
     "speed": (SPEED, "mm/min"),
     "rotation": (ROTATION, "rpm"),
+    "turn": ({unit: size / ANGLE["deg"] for unit, size in ANGLE.items()}, "deg"),
     "none": (NONE, ""),
 }
 POSITION = ("x", "y", "z")
@@ -53,7 +55,7 @@ EXAMPLE = {
     "mass": "kg",
     "speed": "mm_min or m_min",
 }
-EXAMPLE |= {"rotation": "rpm or 1_s"}
+EXAMPLE |= {"rotation": "rpm or 1_s", "turn": "deg"}
 # at the end of an unknown name only suffixes that mean nothing but a unit count: not m, g, t, h, F, in, min, 1_s
 PLAIN = {
     "length": ("mm", "um", "µm", "μm", "nm", "cm"),
@@ -96,29 +98,41 @@ def _plain(text: str):
     return (base, kind, suffix) if base else None
 
 
-def parse(text: str, where: str = "") -> Name:
-    """What a column's name says; refuses a known base name whose unit is missing or unknown."""
+@cache
+def bases_with(joints: tuple[tuple[str, bool], ...]) -> dict[str, str]:
+    """base name -> kind, with the positions and directions of these joints: (column, whether it is an angle)."""
+    more = {name: "turn" if angular else "length" for name, angular in joints}
+    return BASES | more | {f"dir_{name}": "none" for name, _ in joints}
+
+
+def parse(text: str, where: str = "", joints: tuple[tuple[str, bool], ...] = ()) -> Name:
+    """What a column's name says; refuses a known base name whose unit is missing or unknown.
+
+    joints : (column, whether it is an angle) of a machine's joints, beside x, y and z.
+    """
+    bases = bases_with(joints)
     for prefix, kind in FAMILIES.items():
         if text.startswith(prefix):
             base, _, suffix = text.rpartition("_")
             if base + "_" == prefix or base == prefix.rstrip("_") or suffix not in KINDS[kind][0]:
                 raise _unit_refused(text, kind, where)
             return Name(base, kind, suffix, KINDS[kind][1], True)
-    if text in BASES and BASES[text] == "none":
+    if text in bases and bases[text] == "none":
         return Name(text, "none", "", "", True)
-    for base in sorted(BASES, key=len, reverse=True):
+    for base in sorted(bases, key=len, reverse=True):
         if text == base or text.startswith(base + "_"):
-            kind, suffix = BASES[base], text[len(base) + 1 :]
+            kind, suffix = bases[base], text[len(base) + 1 :]
             if kind == "none" and base == "run":
                 break  # run_id and the like are names of their own
             if suffix in KINDS[kind][0]:
                 return Name(base, kind, suffix, KINDS[kind][1], True)
             plain = _plain(text)
-            if plain and plain[0] != base and base in ("spindle", "feed", "t", *POSITION):
+            places = (*POSITION, *(name for name, _ in joints))
+            if plain and plain[0] != base and base in ("spindle", "feed", "t", *places):
                 break  # spindle_temp_C, x_nut_C: another name that begins like a known one
             raise _unit_refused(text, kind, where)
     plain = _plain(text)
-    if plain and plain[0] not in BASES:
+    if plain and plain[0] not in bases:
         base, kind, suffix = plain
         return Name(base, kind, suffix, KINDS[kind][1], False)
     return Name(text, "unknown", "", "", False)

@@ -13,10 +13,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.core.joints import Joint, linear
 from sensworkbench.core.refusal import Refused
 
 from . import column_names, csv_table
-from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
+from .column_names import DIRECTION, ERROR, NORMAL, TOOL
 from .csv_table import Table
 from .predicted_csv import save_predicted
 from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
@@ -24,19 +25,23 @@ from .readings_order import approach_directions, backwards, time_order
 
 __all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_predicted", "approach_directions"]
 
+THREE_AXES = tuple(linear(k, u, (0, 0, 0), (0, 1)) for k, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))))
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
 FEW_ROWS = 12
 MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
 
 
-def load(path, mapping=None) -> Readings:
-    """Readings of a measured.csv; `mapping` as `load_mapping` returns, for a file with other column names."""
-    return _Reader(csv_table.read(path), mapping).readings()
+def load(path, mapping=None, joints=THREE_AXES) -> Readings:
+    """Readings of a measured.csv; `mapping` as `load_mapping` returns, for a file with other column names.
+
+    joints : the machine's joints (default: linear X, Y, Z), whose positions are the columns <name>_mm or <name>_deg.
+    """
+    return _Reader(csv_table.read(path), mapping, tuple(joints)).readings()
 
 
-def load_positions(path, mapping=None) -> Readings:
-    """Places and conditions without readings (R = 0 rows); every row of the file is kept."""
-    return _Reader(csv_table.read(path), mapping).positions()
+def load_positions(path, mapping=None, joints=THREE_AXES) -> Readings:
+    """Places and conditions without readings (R = 0 rows); every row of the file is kept.  joints : as in `load`."""
+    return _Reader(csv_table.read(path), mapping, tuple(joints)).positions()
 
 
 @dataclass
@@ -45,8 +50,12 @@ class _Reader:
 
     table: Table
     mapping: Mapping | None = None
+    joints: tuple[Joint, ...] = THREE_AXES
 
     def __post_init__(self):
+        self.places = tuple(j.column for j in self.joints)
+        self.directions = tuple(f"dir_{name}" for name in self.places)
+        self.kinds = tuple((j.column, j.kind.angular) for j in self.joints)
         self.findings: list[Finding] = []
         self.values: dict[str, np.ndarray] = {}
         self.units: dict[str, str] = {}
@@ -91,7 +100,7 @@ class _Reader:
     def positions(self) -> Readings:
         self._read(measured=False)
         if self.table.rows == 0:
-            raise Refused("the file holds no positions", self.table.source, "Give at least one row of x_mm,y_mm,z_mm.")
+            raise Refused("the file holds no positions", self.table.source, "Give at least one row below the names.")
         none = np.empty(0, dtype=int)
         everything = np.ones(self.table.rows, dtype=bool)
         for base in self._drivers():
@@ -127,18 +136,16 @@ class _Reader:
             self._read_column(j, theirs.get(written, written), measured)
         for key, value in mapping.items():
             if not isinstance(value, str):
-                name = column_names.parse(key)
+                name = column_names.parse(key, joints=self.kinds)
                 self._refuse_twice(name.base, f"mapping, {key}")
                 values = name.convert(np.full(table.rows, float(value)))
                 self._refuse_large(name, values, lambda _, key=key: f"mapping, {key}")
                 self.values[name.base], self.units[name.base] = values, name.unit
-        for base in POSITION:
+        for joint, base in zip(self.joints, self.places):
             if base not in self.values:
-                raise Refused(
-                    f"column {base}_mm is missing",
-                    f"{table.source}, line {table.names_line}",
-                    "x_mm, y_mm and z_mm are required; names are lower case; map other names with a mapping file.",
-                )
+                columns = [f"{j.column}_{j.unit}" for j in self.joints]
+                where = f"{table.source}, line {table.names_line}"
+                raise Refused("readings-position-missing", where, column=f"{base}_{joint.unit}", needed=columns)
             self._refuse_empty(base)
         if measured and table.rows == 0:
             raise Refused("the file holds no readings", table.source, "Give rows below the names.")
@@ -166,7 +173,7 @@ class _Reader:
             if any(table.cells[j]):
                 raise Refused("a column has no name", where, "Name it in the first row.")
             return
-        name = column_names.parse(written, where)
+        name = column_names.parse(written, where, self.kinds)
         base = name.base
         self._refuse_twice(base, f"{where} ({written})")
         self.column_of[base] = j
@@ -185,7 +192,7 @@ class _Reader:
             values = name.convert(values)
         self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
         self._refuse_large(name, values, lambda row: table.place(row, j))
-        if table.rows and np.isnan(values).all() and base not in POSITION:
+        if table.rows and np.isnan(values).all() and base not in self.places:
             self._note("warning", "empty-column", f"column {written!r} is empty and left out", table.names_line)
             return
         self.values[base], self.units[base] = values, name.unit
@@ -270,7 +277,7 @@ class _Reader:
         )
 
     def _check_directions(self) -> None:
-        for base in DIRECTION:
+        for base in (*DIRECTION, *self.directions):
             if base in self.values:
                 values = self.values[base]
                 bad = np.isfinite(values) & ~np.isin(values, (-1.0, 0.0, 1.0))
@@ -336,7 +343,7 @@ class _Reader:
 
     # -- rows ----------------------------------------------------------------------------------------------------
     def _drivers(self) -> list[str]:
-        return [b for b in self.values if b not in (*POSITION, *ERROR, *NORMAL, "reading", "u")]
+        return [b for b in self.values if b not in (*self.places, *ERROR, *NORMAL, "reading", "u")]
 
     def _kept_rows(self, value: np.ndarray) -> np.ndarray:
         keep = np.isfinite(value).any(axis=1)
@@ -377,7 +384,7 @@ class _Reader:
         return keep
 
     def _finish(self, keep, derive, point, sense, value, u, kind) -> Readings:
-        columns = {b: v[keep] for b, v in self.values.items() if b in POSITION or b in self._drivers()}
+        columns = {b: v[keep] for b, v in self.values.items() if b in self.places or b in self._drivers()}
         tool = np.stack([columns.pop(a, np.zeros(int(keep.sum()))) for a in TOOL], axis=1)
         has_tool = any(a in self.values for a in TOOL)
         categories = {k: v[keep] for k, v in self.categories.items()}
@@ -397,7 +404,7 @@ class _Reader:
         if derive:
             self._derive_directions(columns)
         return Readings(
-            q=np.stack([columns[a] for a in POSITION], axis=1),
+            q=np.stack([j.from_shown(columns[a]) for j, a in zip(self.joints, self.places)], axis=1),
             point=point,
             sense=sense,
             value=value,
@@ -414,7 +421,7 @@ class _Reader:
 
     def _derive_directions(self, columns: dict) -> None:
         derived = []
-        for a in POSITION:
+        for a in self.places:
             if f"dir_{a}" in columns or f"dir_{a}" in self.values:
                 continue
             direction = approach_directions(columns[a])

@@ -11,11 +11,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from sensworkbench.closedloop import predict
 from sensworkbench.core import workspace
 from sensworkbench.core.fitted import Constant, FittedModel, Series
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import omega
-from sensworkbench.formats import machine_json
+from sensworkbench.formats import machine_json, readings_csv
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "examples"
 
@@ -63,7 +64,7 @@ def test_a_version_1_machine_lifted_to_version_2_has_the_same_numbers(code):
 def test_fitted_values_of_rotary_errors_carry_their_units():
     machine = machine_json.load(EXAMPLES / "trunnion.json")
     fitted = FittedModel(
-        series={"EXC": Series((-math.pi, math.pi), (0.0, 2e-3))},
+        series={"EXC": Series((-180.0, 180.0), (0.0, 2e-3))},
         constants={"X0C": Constant(5e-3, 1e-4), "A0C": Constant(2e-5)},
     )
     text = machine_json.dumps(replace(machine, fitted=fitted))
@@ -138,3 +139,38 @@ def test_a_sensitivity_of_each_example_adds_up():
         # exact: sum of first and total is 2 where nothing of higher than second order is
         assert np.sum(found.first + found.total) == pytest.approx(2.0, abs=1e-9)
         assert set(found.bodies) <= set(machine.bodies)
+
+
+# -- places of n joints ------------------------------------------------------------------------------------------------
+def positions(tmp_path, text, machine):
+    path = tmp_path / "positions.csv"
+    path.write_text(text, encoding="utf-8")
+    return readings_csv.load_positions(path, joints=machine.joints)
+
+
+def test_positions_of_five_joints_are_read_in_their_units(tmp_path):
+    machine = machine_json.load(EXAMPLES / "trunnion.json")
+    found = positions(tmp_path, "x_mm,y_mm,z_mm,a_deg,c_rad\n10,20,30,-90,1\n", machine)
+    assert found.q == pytest.approx(np.array([[10, 20, 30, -math.pi / 2, 1]]))
+    assert found.columns["a"][0] == pytest.approx(-90) and found.columns["c"][0] == pytest.approx(math.degrees(1))
+    assert (found.units["a"], found.units["x"]) == ("deg", "mm")
+
+
+@pytest.mark.parametrize("text", ["x_mm,y_mm,z_mm,a_deg\n1,2,3,4\n", "x_mm,y_mm,z_mm,a_deg,c_mm\n1,2,3,4,5\n"])
+def test_a_joint_without_a_column_or_in_another_unit_is_refused(tmp_path, text):
+    machine = machine_json.load(EXAMPLES / "trunnion.json")
+    with pytest.raises(Refused) as refused:
+        positions(tmp_path, text, machine)
+    assert "c_" in refused.value.message and "positions.csv, line 1" in refused.value.where
+
+
+def test_predicted_errors_of_a_five_axis_machine_are_omega_times_what_was_fitted(tmp_path):
+    machine = machine_json.load(EXAMPLES / "trunnion.json")
+    fitted = FittedModel(
+        series={"EXC": Series((-180.0, 180.0), (0.0, 2e-3))}, constants={"X0C": Constant(5e-3), "A0C": Constant(2e-5)}
+    )
+    known = replace(machine, fitted=fitted)
+    places = positions(tmp_path, "x_mm,y_mm,z_mm,a_deg,c_deg\n10,20,30,-60,90\n-100,0,50,10,-45\n", machine)
+    values = np.array([[2e-3 * 90 / 180, 5e-3, 2e-5], [2e-3 * -45 / 180, 5e-3, 2e-5]])
+    expected = np.einsum("pan,pn->pa", omega(machine, ["EXC", "X0C", "A0C"], places.q), values)
+    assert predict.predict(known, places) == pytest.approx(expected, abs=1e-12)

@@ -25,8 +25,8 @@ def run(arguments) -> int:
     from sensworkbench.formats import readings_csv
 
     mapping = common.mapping(arguments)
-    positions = readings_csv.load_positions(arguments.positions, mapping)
     machine = common.load_machine(arguments.machine)
+    positions = readings_csv.load_positions(arguments.positions, mapping, machine.joints)
     common.keep_inputs(arguments.out, arguments.positions, arguments.machine)
     try:
         error = predict.predict(machine, positions, alignment=not arguments.no_alignment)
