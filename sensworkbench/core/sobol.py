@@ -38,7 +38,7 @@ def _stack(omega, inputs: int) -> np.ndarray:
     if omega.ndim == 2:
         omega = omega[None]
     if omega.ndim != 3 or omega.shape[2] != inputs:
-        raise Refused(f"Omega has shape {omega.shape} and there are {inputs} inputs", "Omega", "Give (P, 3, n).")
+        raise Refused("omega-shape", "Omega", shape=str(omega.shape), inputs=inputs)
     return omega
 
 
@@ -48,9 +48,9 @@ def _root_weights(weights, rows: int):
         return None
     weights = np.asarray(weights, dtype=float)
     if weights.shape != (rows,) or not np.all(np.isfinite(weights)) or np.any(weights < 0):
-        raise Refused("weights must be finite and not negative, one per component", "weights")
+        raise Refused("weights-not-finite", "weights")
     if not weights.any():
-        raise Refused("all weights are zero: nothing is left of the objective", "weights", "Keep one component.")
+        raise Refused("weights-all-zero", "weights")
     return None if np.all(weights == 1) else np.sqrt(weights)[:, None, None]
 
 
@@ -178,7 +178,7 @@ def signed_indices(omega, moments: Moments, weights) -> Indices:
     omega = _stack(omega, len(moments.var))
     weights = np.asarray(weights, dtype=float)
     if weights.shape != (omega.shape[1],) or not np.all(np.isfinite(weights)) or not weights.any():
-        raise Refused("weights must be finite, one per component and not all zero", "weights")
+        raise Refused("weights-signed-invalid", "weights")
     row = np.einsum("pan,a->pn", omega, weights)
     parts = row**2 * moments.var
     variance = parts.sum(axis=1)

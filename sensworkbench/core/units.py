@@ -30,20 +30,18 @@ def factor(unit: str, *, angular: bool, where: str = "") -> float:
     try:
         return table[unit.strip()]
     except (KeyError, AttributeError):
-        wanted = "urad, arcsec, mrad, rad or deg" if angular else "um, nm, mm or m"
-        kind = "an angle" if angular else "a length"
-        raise Refused(f"unit {unit!r} is not that of {kind}", where, f"Use {wanted}.") from None
+        raise Refused("unit-not-of-angle" if angular else "unit-not-of-length", where, unit=repr(unit)[:60]) from None
 
 
 def parse(text: str, *, angular: bool, default_unit: str, where: str = "") -> float:
     """Read "12,5 µrad" or "3 um" (decimal comma or point; bare numbers are in `default_unit`) as mm or rad."""
     match = _NUMBER.match(text)
     if not match:
-        raise Refused(f"{text!r} is not a number with a unit", where, f"Write for example 2.5 {default_unit}.")
+        raise Refused("quantity-not-a-number", where, text=repr(text)[:60], unit=default_unit)
     number, unit = match.groups()
     value = float(number.replace(",", ".")) * factor(unit or default_unit, angular=angular, where=where)
     if not math.isfinite(value):
-        raise Refused(f"{text!r} is not a finite number", where)
+        raise Refused("quantity-not-finite", where, text=repr(text)[:60])
     return value
 
 
