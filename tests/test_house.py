@@ -87,9 +87,15 @@ def parsed(text: str) -> ast.Module:
     return ast.parse(text)
 
 
+@cache
+def nodes(text: str) -> tuple[ast.AST, ...]:
+    return tuple(ast.walk(parsed(text)))
+
+
 # -- what is imported -----------------------------------------------------------------------------------------------
-def imported(text: str, package: str):
-    """Yield (absolute dotted name, line, guarded) of every import, also those inside functions.
+@cache
+def imported(text: str, package: str) -> tuple:
+    """Return (absolute dotted name, line, guarded) of every import, also those inside functions.
 
     guarded : inside a function, a try, or `if TYPE_CHECKING`.  `from . import x` yields the package of x and x.
     """
@@ -113,7 +119,7 @@ def imported(text: str, package: str):
         for child in ast.iter_child_nodes(node):
             yield from visit(child, inner)
 
-    yield from visit(parsed(text), False)
+    return tuple(visit(parsed(text), False))
 
 
 def package_of(path: Path) -> str:
@@ -168,19 +174,19 @@ def called(node) -> str:
 
 
 def prints(text: str, package: str):
-    for node in ast.walk(parsed(text)):
+    for node in nodes(text):
         if called(node) == "print":
             yield node.lineno, "print in the library"
 
 
 def bare_excepts(text: str, package: str):
-    for node in ast.walk(parsed(text)):
+    for node in nodes(text):
         if isinstance(node, ast.ExceptHandler) and node.type is None:
             yield node.lineno, "bare except"
 
 
 def dangerous_calls(text: str, package: str):
-    for node in ast.walk(parsed(text)):
+    for node in nodes(text):
         if called(node) in ("eval", "exec", "pickle.load", "pickle.loads", "marshal.loads", "os.system"):
             yield node.lineno, called(node)
         if called(node) in ("np.load", "numpy.load") and any(
@@ -195,7 +201,7 @@ def dangerous_calls(text: str, package: str):
 def version_comparisons(text: str, package: str):
     """Probe for the capability instead."""
     pattern = re.compile(r"\b(__version__|version_info|hexversion)\b|\bVersion\(|\bqVersion\(|\bversion\.parse\(")
-    for node in ast.walk(parsed(text)):
+    for node in nodes(text):
         if isinstance(node, ast.Compare) and pattern.search(ast.unparse(node)):
             yield node.lineno, ast.unparse(node)
     for target, line, _ in imported(text, package):
@@ -216,13 +222,13 @@ def undocumented(text: str, package: str):
 
 
 def postponed_annotations(text: str, package: str):
-    defines = any(isinstance(n, (ast.FunctionDef, ast.AnnAssign)) for n in ast.walk(parsed(text)))
+    defines = any(isinstance(n, (ast.FunctionDef, ast.AnnAssign)) for n in nodes(text))
     if defines and not any(t == "__future__.annotations" for t, _, _ in imported(text, package)):
         yield 1, "from __future__ import annotations is missing"
 
 
 def long_functions(text: str, package: str):
-    for node in ast.walk(parsed(text)):
+    for node in nodes(text):
         if isinstance(node, ast.FunctionDef):
             words = node.body[0].end_lineno - node.body[0].lineno + 1 if ast.get_docstring(node) else 0
             lines = node.end_lineno - node.lineno + 1 - words
@@ -393,6 +399,88 @@ def test_a_missing_docstring_is_found_and_an_inherited_one_counts():
 def test_public_functions_say_what_they_return_or_do(layer):
     texts = {name(p): p.read_text(encoding="utf-8") for p in MODULES}
     assert [line for line in silent(texts) if line.startswith(f"sensworkbench/{layer}/")] == []
+
+
+# -- names of other modules ------------------------------------------------------------------------------------------
+def defined(tree) -> set[str]:
+    """Every name that a module binds at its top, in whatever branch, or declares global."""
+    found = set()
+
+    def bind(target):
+        found.update(n.id for n in ast.walk(target) if isinstance(n, ast.Name))
+
+    def visit(body):
+        for node in body:
+            if isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+                found.add(node.name)
+            elif isinstance(node, (ast.Import, ast.ImportFrom)):
+                found.update((a.asname or a.name).split(".")[0] for a in node.names)
+            elif isinstance(node, (ast.Assign, ast.AnnAssign, ast.AugAssign)):
+                for target in getattr(node, "targets", [getattr(node, "target", None)]):
+                    bind(target)
+            elif isinstance(node, (ast.For, ast.With)):
+                for target in [getattr(node, "target", None), *(i.optional_vars for i in getattr(node, "items", ()))]:
+                    if target is not None:
+                        bind(target)
+            for part in ("body", "orelse", "finalbody"):
+                if not isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+                    visit(getattr(node, part, None) or [])
+            for handler in getattr(node, "handlers", ()):
+                visit(handler.body)
+
+    visit(tree.body)
+    return found | {name for n in ast.walk(tree) if isinstance(n, ast.Global) for name in n.names}
+
+
+def absent(texts: dict[str, tuple[str, str]], top: str) -> list[str]:
+    """Names taken from modules of `top` that these do not have: "module:line module.name".
+
+    texts : as in `import_graph`.  Sees `from .module import name`, and `module.name` where that module was imported.
+    """
+    names = {module: defined(parsed(text)) for module, (_, text) in texts.items()}
+    lazy = {module for module, known in names.items() if "__getattr__" in known}
+
+    def there(module, name):
+        return name in names[module] or f"{module}.{name}" in texts or module in lazy or re.fullmatch("__.*__", name)
+
+    found = []
+    for module, (package, text) in texts.items():
+        aliases = {}
+        for node in nodes(text):
+            if not isinstance(node, ast.ImportFrom):
+                continue
+            outer = package.split(".")[: len(package.split(".")) - node.level + 1] if node.level else []
+            base = ".".join([*outer, *([node.module] if node.module else [])])
+            for alias in node.names:
+                if f"{base}.{alias.name}" in texts:
+                    aliases[alias.asname or alias.name] = f"{base}.{alias.name}"
+                elif base.split(".")[0] == top and (base not in texts or not there(base, alias.name)):
+                    found.append(f"{module}:{node.lineno} {base}.{alias.name}")
+        rebound = {n.id for n in nodes(text) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Store)}
+        rebound |= {a.arg for n in nodes(text) if isinstance(n, ast.arguments) for a in n.args + n.kwonlyargs}
+        for node in nodes(text):
+            if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id not in rebound:
+                target = aliases.get(node.value.id)
+                if target and target.split(".")[0] == top and not there(target, node.attr):
+                    found.append(f"{module}:{node.lineno} {target}.{node.attr}")
+    return found
+
+
+def test_a_name_that_a_module_does_not_have_is_found():
+    texts = {
+        "p": ("p", ""),
+        "p.a": ("p", "def f():\n    pass\nif x:\n    y = 1"),
+        "p.b": ("p", "from . import a\nfrom .a import f, y\na.f()\na.g()"),
+        "p.c": ("p", "from .a import h\nfrom .gone import k\ndef f(a):\n    a.anything"),
+    }
+    assert absent(texts, "p") == ["p.b:4 p.a.g", "p.c:1 p.a.h", "p.c:2 p.gone.k"]
+
+
+def test_what_is_taken_from_a_module_is_there():
+    """Also inside functions, and where only FreeCAD could run the module."""
+    paths = [*MODULES, *(p for p in SOURCES if p.is_relative_to(ROOT / "tests"))]
+    texts = {module_of(p): (package_of(p), p.read_text(encoding="utf-8")) for p in paths}
+    assert absent(texts, "sensworkbench") == []
 
 
 # -- circles ----------------------------------------------------------------------------------------------------------

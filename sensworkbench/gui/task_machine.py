@@ -14,6 +14,7 @@ from ..core.machine import structure_chains
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
 from ..document import factory, geometry, paths, refresh, tips
+from ..document.base import kind_of
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
 from .panel import show as show_panel
@@ -292,7 +293,7 @@ class TaskMachine:
 
     def take_parts(self, *_, keep: bool = False) -> None:
         """The selected parts become the chosen component, or are added to it."""
-        chosen = [link for link in proposal.selected_links() if not factory.kind_of(link[0])]
+        chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
         if not chosen:
             self.note.setText(translate("Sens", "Select one or more parts in the view or the tree first."))
             return
@@ -311,7 +312,7 @@ class TaskMachine:
         self._try(change)
 
     def _one(self):
-        chosen = [link for link in proposal.selected_links() if not factory.kind_of(link[0])]
+        chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
         if len(chosen) != 1:
             raise Refused(translate("Sens", "Select one coordinate system, datum, vertex, edge, face or part first."))
         return paths.as_sub(chosen[0])
