@@ -24,9 +24,11 @@ from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import exact_error
-from sensworkbench.core.workspace import sensitivity
-from sensworkbench.formats import machine_json, readings_csv, runs, trace_run
+from sensworkbench.formats import machine_json, readings_csv, study_files
 from sensworkbench.formats.file_sets import staged
+from sensworkbench.studies.predict import predict_study
+from sensworkbench.studies.sensitivity import sensitivity_study
+from sensworkbench.studies.trace import trace_study
 
 ROOT = Path(__file__).resolve().parents[1]
 DOCUMENT, PICTURES, LOOP = "machine.FCStd", ("view.png", "view_front.png"), "closed_loop"
@@ -78,7 +80,8 @@ def run(folder, structure: str = "XYFZ", tell=None) -> list[Path]:
         machine = machine_json.load(work / "machine.json")
         tell("computing the sensitivity indices")
         picture = work / PICTURES[0]
-        runs.write(work, machine, sensitivity(machine), picture=picture.read_bytes() if picture.exists() else None)
+        study = sensitivity_study(machine)
+        study_files.write_sensitivity(work, study, picture=picture.read_bytes() if picture.exists() else None)
         tell("measuring the simulated machine, tracing, predicting")
         for words in close_the_loop(machine, work / LOOP):
             tell(words)
@@ -190,9 +193,6 @@ def simulate(machine: Machine, errors: dict, squareness: dict, q, temperature, b
 
 def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
     """Simulate readings with an undeclared effect, trace them, predict new ones; returns what came out, in words."""
-    from sensworkbench.closedloop.predict import extrapolated, predict
-    from sensworkbench.closedloop.trace import trace
-
     rng = np.random.default_rng(seed)
     errors = simulated_errors(machine, rng)
     squareness = {s: float(v) for s, v in zip(("C0Y", "A0Z", "B0Z"), rng.normal(size=3) * 10e-6)}
@@ -214,19 +214,19 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         )
         new = conditions(200, 1500.0)
         _write_table(work / "positions.csv", [], names, np.column_stack([new[0], new[1], 20 + new[2], 20 + new[3]]))
-        outcome = trace(machine, readings_csv.load(work / "measured.csv"))
-        trace_run.write(work, outcome)
+        outcome = trace_study(machine, readings_csv.load(work / "measured.csv"))
+        study_files.write_trace(work, outcome)
         positions = readings_csv.load_positions(work / "positions.csv")
-        predicted = predict(outcome.machine, positions)
-        outside = extrapolated(outcome.machine, positions)
-        readings_csv.save_predicted(work / "predicted.csv", work / "positions.csv", positions, predicted, outside)
+        found = predict_study(outcome.machine, positions)
+        files = work / "predicted.csv", work / "positions.csv"
+        readings_csv.save_predicted(*files, positions, found.error, found.extrapolated)
         truth = simulate(machine, errors, squareness, new[0], new[2])
     held = {k: v["held_out"]["rms_um"] for k, v in outcome.report["error"].items() if isinstance(v, dict)}
-    off = float(np.sqrt(((1e3 * (predicted - truth)) ** 2).sum(axis=1).mean()))
-    found = [f"found: {e['component']} driven by {e['driver']}: {e['name']}" for e in outcome.report["effects"]]
+    off = float(np.sqrt(((1e3 * (found.error - truth)) ** 2).sum(axis=1).mean()))
+    named = [f"found: {e['component']} driven by {e['driver']}: {e['name']}" for e in outcome.report["effects"]]
     return [
         f"simulated: EAZ driven by temp_column, {BEND_URAD_PER_K:g} urad/K; verdict: {outcome.report['verdict']}",
-        *found,
+        *named,
         "rms of held-out readings: uncorrected {uncorrected:.2f}, declared model {declared:.2f}, with the effect "
         "{augmented:.2f} um".format(**held),
         f"prediction at 200 new places: {off:.2f} um rms from the truth",

@@ -604,13 +604,14 @@ def run_blocked(code: str, blocked, layers) -> subprocess.CompletedProcess:
 
 def test_core_closedloop_and_formats_import_and_run_where_freecad_cannot_be_imported():
     blocked = sorted(FREECAD | WINDOW | {"PySide2", "PySide6", "shiboken6"})
-    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, ("core", "closedloop", "formats"))
+    layers = ("core", "closedloop", "studies", "formats")
+    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, layers)
     assert done.returncode == 0, done.stderr
     assert '"EAX": 0.' in done.stdout
 
 
 def test_core_and_closedloop_need_numpy_alone():
     blocked = sorted(FREECAD | WINDOW | OPTIONAL | {"PySide2", "PySide6"})
-    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, ("core", "closedloop"))
+    done = run_blocked(textwrap.dedent(BLOCKER) + textwrap.dedent(RUN), blocked, ("core", "closedloop", "studies"))
     assert done.returncode == 0, done.stderr
     assert '"EAX": 0.' in done.stdout

@@ -13,7 +13,7 @@ import os
 import sys
 from pathlib import Path
 
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import LANGUAGES, Refused
 
 DONE, DEFECT, REFUSED, INTERRUPTED = 0, 1, 2, 130
 
@@ -32,15 +32,39 @@ def triple(text: str) -> tuple[float, float, float]:
     return values
 
 
+def numbers(text: str) -> tuple[float, ...]:
+    """Finite numbers `A,B,...`, one per joint of a machine."""
+    try:
+        values = tuple(float(v) for v in text.split(","))
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not numbers A,B,...") from None
+    if not all(math.isfinite(v) for v in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not finite")
+    return values
+
+
 def counts(text: str):
-    """A number of positions, `N` (an int) or `NX,NY,NZ` (a tuple)."""
+    """A number of positions, `N` (an int), or one per joint `N,N,...` (a tuple)."""
     try:
         values = [int(v) for v in text.split(",")]
     except ValueError:
         values = []
-    if len(values) not in (1, 3) or any(not 1 <= v <= 10**6 for v in values):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of positions, N or NX,NY,NZ")
+    if not values or any(not 1 <= v <= 10**6 for v in values):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of positions, N or one per joint, N,N,...")
     return values[0] if len(values) == 1 else tuple(values)
+
+
+def objective(text: str) -> dict:
+    """The fields of an objective, of `NAME` or `NAME:FIELD=NUMBER,...`; which there are, `core.objectives` knows."""
+    name, _, rest = text.partition(":")
+    fields: dict = {"name": name}
+    for part in filter(None, rest.split(",")):
+        key, _, value = part.partition("=")
+        try:
+            fields[key] = float(value)
+        except ValueError:
+            raise argparse.ArgumentTypeError(f"{part!r} is not FIELD=NUMBER") from None
+    return fields
 
 
 def whole(text: str) -> int:
@@ -72,6 +96,11 @@ def add_machine(parser, name: str = "machine", metavar: str = "MACHINE", help: s
 def add_mapping(parser) -> None:
     """Add --mapping; `mapping(arguments)` reads it."""
     parser.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
+
+
+def add_language(parser) -> None:
+    """Add --language, of the HTML report; files for programs and stderr stay English."""
+    parser.add_argument("--language", choices=LANGUAGES, default="en", help="of report.html (default: en)")
 
 
 def mapping(arguments):

@@ -29,6 +29,7 @@ class Objective:
     weights: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     name: ClassVar[str] = ""
+    power: ClassVar[int] = 2  # of a length (an angle) in the unit of Y
     signed: ClassVar[bool] = False  # whether its mean is a length or angle, rather than the square of one
 
     def __post_init__(self):
@@ -53,6 +54,14 @@ class Objective:
         """Indices of groups of errors (lists of columns)."""
         raise NotImplementedError
 
+    def expected(self, found: sobol.Indices) -> np.ndarray:
+        """(P,) the expected size of the error behind Y, from its mean and variance; mm (rad)."""
+        raise NotImplementedError
+
+    def upper(self, found: sobol.Indices) -> np.ndarray:
+        """(P,) an upper estimate of the size: Y two of its standard deviations above its mean; mm (rad)."""
+        raise NotImplementedError
+
     def size_shown(self, mean: float) -> float:
         """The mean as a length in um (or an angle in urad)."""
         raise NotImplementedError
@@ -74,7 +83,7 @@ class Objective:
 
     def _terms(self, square: str) -> list[str]:
         names = ("T4", "T5", "T6") if self.output == POSITION else ("R1", "R2", "R3")
-        return [(f"{w:g} " if w != 1 else "") + f"{n}{square}" for n, w in zip(names, self.weights) if w]
+        return [(f"{w:g}·" if w != 1 else "") + f"{n}{square}" for n, w in zip(names, self.weights) if w]
 
     def _scale(self) -> float:
         return 1e3 if self.output == POSITION else 1e6
@@ -108,6 +117,12 @@ class MeanSquare(Objective):
     def group_indices(self, omega, law, groups):
         return sobol.group_indices(omega, law, groups, self.weights)
 
+    def expected(self, found):
+        return np.sqrt(found.mean)
+
+    def upper(self, found):
+        return np.sqrt(found.mean + 2 * np.sqrt(found.variance))
+
     def size_shown(self, mean):
         return float(np.sqrt(mean)) * self._scale()
 
@@ -122,6 +137,7 @@ class Signed(Objective):
     """Y = sum_a w_a T_a: one direction of the error with its sign; S = S^T, and they add to one."""
 
     name: ClassVar[str] = "signed"
+    power: ClassVar[int] = 1
     signed: ClassVar[bool] = True
 
     def indices(self, omega, law):
@@ -129,6 +145,12 @@ class Signed(Objective):
 
     def group_indices(self, omega, law, groups):
         return sobol.signed_group_indices(omega, law, groups, self.weights)
+
+    def expected(self, found):
+        return np.sqrt(found.variance + found.mean**2)
+
+    def upper(self, found):
+        return np.abs(found.mean) + 2 * np.sqrt(found.variance)
 
     def size_shown(self, mean):
         return float(mean) * self._scale()

@@ -15,11 +15,11 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from ..core import workspace
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Sensitivity
-from ..formats import fitted_json, provenance, runs
+from ..formats import fitted_json, provenance, study_files
+from ..studies.sensitivity import SensitivityRequest, sensitivity_study
 from . import (
     closed_loop,  # noqa: F401 - as objects
     objects,  # noqa: F401 - FreeCAD restores proxies only from modules that it knows, or that are loaded
@@ -130,23 +130,29 @@ def _source(source):
             yield opened
 
 
-def sensitivity(path, folder, options: runs.Options = runs.Options(), picture: bytes | None = None) -> list[Path]:
+def sensitivity(
+    path,
+    folder,
+    request: SensitivityRequest = SensitivityRequest(),
+    angle_unit: str = "urad",
+    picture: bytes | None = None,
+    language: str = "en",
+) -> list[Path]:
     """The verb `sensitivity` on a document: tables, report and DIR/sensitivity.FCStd appear together in `folder`.
 
-    What `options` leave open (objective, positions) is as set in the document.  Returns the paths.
+    What `request` leaves open (objective, positions) is as set in the document.  Returns the paths.
     """
     core, opened = load_machine(path)
     with opened:
-        core = options.machine(core)
-        where = options.positions(core, positions(opened.machine, core))
-        found = workspace.sensitivity(core, where, options.objective(objective(opened.machine)))
+        where = positions(opened.machine, request.machine(core))
+        study = sensitivity_study(core, request, objective=objective(opened.machine), positions=where)
 
         def add_document(work: Path):
-            write_sensitivity(opened, work / "sensitivity.FCStd", found, core)
+            write_sensitivity(opened, work / "sensitivity.FCStd", study.sensitivity, study.machine)
 
         if (Path(folder) / "sensitivity.FCStd").exists() and (Path(folder) / "sensitivity.FCStd").samefile(path):
             raise Refused("would be overwritten by its own result", str(path), "Choose another folder.")
-        return runs.write(folder, core, found, options.angle_unit, picture, add_document)
+        return study_files.write_sensitivity(folder, study, angle_unit, picture, add_document, language)
 
 
 def write_sensitivity(source, path_out, result: Sensitivity, machine: Machine | None = None) -> Path:

@@ -126,7 +126,8 @@ def make_trace(machine, readings_obj, outcome, traced):
 
     traced : the core machine that was traced.
     """
-    from ..formats import machine_json, sensitivity_out, trace_report
+    from ..formats import json_text, machine_json
+    from ..studies.trace import point_vectors
 
     obj = trace_of(readings_obj)
     if obj is None:
@@ -141,9 +142,9 @@ def make_trace(machine, readings_obj, outcome, traced):
     put(obj, "RmsHeldOut", [report["error"][s]["held_out"]["rms_um"] for s in STAGES])
     put(obj, "Positions", _vectors(readings.q))
     put(obj, "ToolOffsets", [] if readings.tool_offset is None else _vectors(readings.tool_offset))
-    put(obj, "Before", _vectors(trace_report.point_vectors(outcome, "declared_held_out")))
-    put(obj, "After", _vectors(trace_report.point_vectors(outcome, "augmented_held_out")))
-    put(obj, "Report", sensitivity_out.dumps(report))
+    put(obj, "Before", _vectors(point_vectors(outcome, "declared_held_out")))
+    put(obj, "After", _vectors(point_vectors(outcome, "augmented_held_out")))
+    put(obj, "Report", json_text.dumps(report))
     put(obj, "Augmented", machine_json.dumps(outcome.machine))
     put(obj, "ResidualNames", list(outcome.residuals))
     put(obj, "Residuals", [float(v) for series in outcome.residuals.values() for v in series.tolist()])
@@ -163,11 +164,11 @@ def _vectors(array) -> list:
 
 def summary(report) -> str:
     """The verdict and what was found, in a sentence or two."""
-    from ..formats import trace_report
+    from ..formats import trace_html
 
-    title, words = trace_report.VERDICTS[report["verdict"]]
+    title, words = trace_html.VERDICTS[report["verdict"]]
     found = [
-        f"{e['component']} driven by {trace_report.driver_words(e['driver'])}: {e['name']}" for e in report["effects"]
+        f"{e['component']} driven by {trace_html.driver_words(e['driver'])}: {e['name']}" for e in report["effects"]
     ]
     return f"{title}. {words}" + (f" Found: {'; '.join(found)}." if found else "")
 

@@ -12,6 +12,7 @@ import html
 from collections.abc import Sequence
 
 BODY_COLOURS = {"X": "#3b82c4", "Y": "#e0812b", "Z": "#3a9d5d", "T": "#9467bd", "W": "#a08a2f"}
+_FURTHER_COLOURS = {"A": "#c05780", "B": "#2a9d9d", "C": "#8c6d46", "U": "#6f8fc9", "V": "#d8a25e", "R": "#b04a3a"}
 
 _STYLE = """
 :root { color-scheme: light dark; --ink: #1d2530; --soft: #5a6675; --line: #d5dbe3; --paper: #ffffff; --tint: #f3f6f9;
@@ -143,9 +144,15 @@ def dot(colour: str, label) -> Html:
     return join([element("span", class_="dot", style=f"background:{colour}"), label])
 
 
+def body_colour(body: str) -> str:
+    """The colour of a body in charts and tables; bodies whose names begin alike share one."""
+    known = BODY_COLOURS | _FURTHER_COLOURS
+    return known.get(body) or known.get(body[:1], "#888888")
+
+
 def body_label(body: str, name: str | None = None) -> Html:
     """A component's letter (or name) behind its colour."""
-    return dot(BODY_COLOURS.get(body, "#888888"), name or body)
+    return dot(body_colour(body), name or body)
 
 
 def figure(content: Html, caption: str = "") -> Html:
@@ -158,7 +165,7 @@ def picture(png: bytes, alt: str, caption: str = "") -> Html:
     return figure(Html(f'<img alt="{text(alt)}" src="data:image/png;base64,{data}"/>'), caption)
 
 
-def page(title: str, subtitle: str, *content, footer: str = "") -> str:
+def page(title: str, subtitle: str, *content, footer: str = "", language: str = "en") -> str:
     """A whole HTML document that loads nothing from anywhere.  It is well-formed XML too."""
     body = join(
         [
@@ -168,7 +175,7 @@ def page(title: str, subtitle: str, *content, footer: str = "") -> str:
         ]
     )
     return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8"/>\n'
+        f'<!DOCTYPE html>\n<html lang="{text(language)}">\n<head>\n<meta charset="utf-8"/>\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1"/>\n'
         f"<title>{text(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n{body}\n</body>\n</html>\n"
     )

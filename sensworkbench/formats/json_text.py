@@ -237,3 +237,8 @@ def parse(text: str, name: str = "text") -> Place:
     if end != len(text):
         parser.refuse(end, "there is more after the end of the JSON text")
     return Place(value, (), parser.lines, name)
+
+
+def dumps(data: Mapping) -> str:
+    """The text of a result file; raises ValueError for NaN and infinity, which JSON cannot hold."""
+    return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"

@@ -11,51 +11,22 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from ..core import sobol
-from ..core.distributions import moments
 from ..core.errors import AXES
-from ..core.synthesis import omega
-from ..core.workspace import error_table
-from ..core.workspace import grid as grid_positions
 from ..document import extract, factory
+from ..studies.error_map import FINE, map_errors, map_positions
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
 from .qt import translate
 from .texts import shown_unit
 from .viewproviders import MAP_FORMS, MAP_SHOWS
 
-COUNT = 7  # points per axis
-FINE = 25  # nodes of a slice per axis
 EXPECTED, WORST = MAP_SHOWS
 POINTS = MAP_FORMS[0]
 
 
 def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
-    """(P, 3) positions of the axes: a grid over the travel, or FINE x FINE of them with one axis at `at` (mm)."""
-    if form == POINTS:
-        return grid_positions(core, COUNT).q
-    fixed = AXES.index(form[-1])
-    low, high = core.travel[fixed]
-    nodes = [np.linspace(a, b, FINE) for a, b in core.travel]
-    nodes[fixed] = np.array([min(max(at, low), high)])
-    return np.stack([g.ravel() for g in np.meshgrid(*nodes, indexing="ij")], axis=1)
-
-
-def errors(core, objective, q: np.ndarray, what: str = EXPECTED) -> np.ndarray:
-    """(P,) error at positions q (P, 3) mm: √E[Y] or √(E[Y] + 2 √V(Y)), mm (rad for orientation).
-
-    A signed objective has its own mean and variance: √(E[Y]² + V(Y)), and |E[Y]| + 2 √V(Y).
-    """
-    _, columns, _, laws = error_table(core)
-    matrix = omega(core, columns, q, output=objective.output)
-    law = moments(laws)
-    if objective.signed:
-        found = sobol.signed_indices(matrix, law, objective.weights)
-        if what == WORST:
-            return np.abs(found.mean) + 2 * np.sqrt(found.variance)
-        return np.sqrt(found.variance + found.mean**2)
-    found = sobol.indices(matrix, law, objective.weights)
-    return np.sqrt(found.mean + 2 * np.sqrt(found.variance) if what == WORST else found.mean)
+    """(P, 3) positions of the axes: a grid over the travel, or a slice with one axis at `at` (mm)."""
+    return map_positions(core, None if form == POINTS else AXES.index(form[-1]), at)
 
 
 def places(core, q: np.ndarray) -> np.ndarray:
@@ -124,7 +95,8 @@ class ErrorMap:
             q = positions(core, form, at)
             if form != POINTS:
                 at = float(q[0, AXES.index(form[-1])])
-            self._fill(places(core, q), errors(core, objective, q, what), objective, colour_map, what, form, at)
+            value = map_errors(core, objective, q, upper=what == WORST)
+            self._fill(places(core, q), value, objective, colour_map, what, form, at)
             self._key = key if machine.Fingerprint else None
         self._switch.whichChild = 0
         self.legend.show(self._text, self._scale, corner)

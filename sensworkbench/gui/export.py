@@ -10,8 +10,8 @@ from pathlib import Path
 
 from ..core.refusal import Refused
 from ..document import extract, factory, results
-from ..formats import report, sensitivity_out
-from ..formats.file_sets import staged
+from ..formats import study_files
+from ..studies.sensitivity import completed
 from . import messages, settings, state
 from .qt import pump, translate
 
@@ -77,19 +77,12 @@ def export(machine, folder) -> list[Path]:
             translate("Sens", "Compute the sensitivity again, then export."),
         )  # fmt: skip
     core = extract.core_machine(machine)
-    data = sensitivity_out.to_dict(core, results.load(machine, result), settings.get("AngleUnit"))
     png = picture(machine.Document)
-    contents = {
-        "sensitivity.json": sensitivity_out.dumps(data).encode(),
-        "sensitivity.csv": sensitivity_out.csv_text(data).encode(),
-        "report.html": report.sensitivity_report(data, png).encode(),
-    }
+    study = completed(core, results.load(machine, result))
+    files = study_files.sensitivity_files(study, settings.get("AngleUnit"), png)
     if png is not None:
-        contents[PICTURE] = png
-    with staged(folder, "sensitivity") as work:
-        for name, content in contents.items():
-            (work / name).write_bytes(content)
-    return [Path(folder) / name for name in contents]
+        files[PICTURE] = png
+    return study_files.write_set(folder, "sensitivity", files)
 
 
 def ask_and_export(machine) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from ..formats.trace_report import driver_words
+from ..formats.trace_html import driver_words
 from .command import QT_TRANSLATE_NOOP
 from .qt import translate
 from .texts import error_meaning

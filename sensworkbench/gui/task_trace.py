@@ -348,12 +348,12 @@ def zoom_to(trace) -> None:
 
 def ask_and_write(trace) -> list:
     """Ask for a folder and write trace.json, report.html and the augmented machine; returns the paths."""
-    from ..formats import trace_run
+    from ..formats import study_files
 
     folder = messages.ask_folder(translate("Sens", "Folder for the trace"))
     if not folder:
         return []
-    paths = trace_run.write(folder, closed_loop.outcome_of(trace))
+    paths = study_files.write_trace(folder, closed_loop.outcome_of(trace))
     messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
     return paths
 

@@ -11,8 +11,9 @@ from html import escape
 import numpy as np
 
 from ..core.errors import COMPONENTS, component
-from ..formats import trace_report
-from ..formats.trace_report import driver_words, parameter_words, um, unit_words
+from ..formats import trace_html
+from ..formats.trace_html import driver_words, parameter_words, um, unit_words
+from ..studies.trace import component_values, point_vectors
 from . import plots
 from .finding_words import effect_name, said
 from .qt import Qt, QtCore, QtGui, translate
@@ -173,7 +174,7 @@ def result_page(report, machine=None):
             parts.append(paragraph(_finding_sentence(e, machine)))
         rows = [
             (stage(s), *(um(report["error"][s]["held_out"][k]) for k in ("rms_um", "p95_um", "max_um")))
-            for s in trace_report.STAGES
+            for s in trace_html.STAGES
         ]
         parts.append(heading(translate("Sens", "Error on readings that took no part in the fit, µm")))
         head = ["", "#rms", "#95 %", "#" + translate("Sens", "largest")]
@@ -266,7 +267,7 @@ def _driver_chart(page: Page, entry, outcome) -> str:
     effect = next((e for e in outcome.machine.effects if e.name == entry["name"]), None)
     if effect is None:
         return ""
-    x, asked, fitted = trace_report.component_values(effect, outcome)
+    x, asked, fitted = component_values(effect, outcome)
     if not len(x):
         return ""
     single = effect.shape not in ("lag", "hysteresis") and "*" not in effect.driver
@@ -313,7 +314,7 @@ def before_after_page(report, outcome=None):
             parts.append(paragraph(words.format(a=um(before[0]), b=um(before[1]), c=um(span[0]), d=um(span[1]))))
         if outcome is not None:
             sizes = [
-                np.linalg.norm(trace_report.point_vectors(outcome, f"{s}_held_out"), axis=1)
+                np.linalg.norm(point_vectors(outcome, f"{s}_held_out"), axis=1)
                 for s in ("declared", "augmented")
             ]
             names = (translate("Sens", "before"), translate("Sens", "after"))

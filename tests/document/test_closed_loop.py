@@ -19,7 +19,7 @@ from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import closed_loop, extract, factory, results, tree
 from sensworkbench.document.examples import make_example
-from sensworkbench.formats import readings_csv, trace_run
+from sensworkbench.formats import readings_csv, study_files
 
 from . import simulated
 
@@ -122,7 +122,7 @@ def test_a_trace_is_there_again_after_saving(machine, traced, tmp_path):
         np.testing.assert_allclose(outcome.covariance[1], _outcomes["one"].covariance[1], rtol=1e-12)
         before, after = (np.linalg.norm([tuple(v) for v in vectors], axis=1) for vectors in (same.Before, same.After))
         assert np.sqrt((after**2).mean()) < 0.4 * np.sqrt((before**2).mean())
-        files = {p.name for p in trace_run.write(tmp_path / "out", outcome)}
+        files = {p.name for p in study_files.write_trace(tmp_path / "out", outcome)}
         assert files == {"trace.json", "report.html", "machine_augmented.json", "covariance.npz"}
     finally:
         App.closeDocument(opened.Name)

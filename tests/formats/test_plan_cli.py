@@ -14,7 +14,7 @@ import pytest
 
 from sensworkbench import cli
 from sensworkbench.closedloop.plan import Plan
-from sensworkbench.formats import machine_json, plan_out
+from sensworkbench.formats import machine_json, plan_json
 
 from .support import ROOT, command, golden, write
 
@@ -71,7 +71,7 @@ def test_a_plan_is_checked_by_a_process_of_its_own_without_freecad(place):
 def test_the_suggested_table_is_a_plan_whose_numbers_are_those_stated(place):
     assert run(place, "plan", "m.json", "grid.csv", "--out", place / "out", "--suggest", "125") == 0
     stated = checked(place / "out")["suggested"]["numbers"]
-    readings = plan_out.load(place / "out" / "positions_suggested.csv", 1.0)
+    readings = plan_json.load(place / "out" / "positions_suggested.csv", 1.0)
     again = Plan(machine_json.load(place / "m.json"), readings).numbers()
     assert again == {k: pytest.approx(v, rel=1e-6) if isinstance(v, float) else v for k, v in stated.items()}
 
@@ -99,7 +99,7 @@ def test_conditions_of_a_given_plan_come_back_in_their_own_units(place):
 def test_names_of_readings_say_which_directions_are_planned(place):
     q = nodes()
     table(place / "z.csv", np.column_stack([q, np.zeros(len(q))]), "x_mm,y_mm,z_mm,ez_um")
-    readings = plan_out.load(place / "z.csv", 1.0)
+    readings = plan_json.load(place / "z.csv", 1.0)
     assert readings.rows == len(q) and (readings.sense == [0, 0, 1]).all()
     n = np.random.default_rng(1).normal(size=q.shape)
     n /= np.linalg.norm(n, axis=1)[:, None]
@@ -108,12 +108,12 @@ def test_names_of_readings_say_which_directions_are_planned(place):
     (place / "n.csv").write_text(
         "x_mm,y_mm,z_mm,nx,ny,nz,t_s\n" + "\n".join(",".join(repr(float(v)) for v in r) for r in rows), encoding="utf-8"
     )
-    readings = plan_out.load(place / "n.csv", 1.0)  # taken in the order of time: the file's from its end
+    readings = plan_json.load(place / "n.csv", 1.0)  # taken in the order of time: the file's from its end
     assert np.allclose(readings.sense, n[::-1]) and np.allclose(readings.q, q[::-1])
 
 
 def test_directions_of_approach_are_derived_from_the_order_and_that_is_said(place):
-    readings = plan_out.load(place / "grid.csv", 1.0)
+    readings = plan_json.load(place / "grid.csv", 1.0)
     assert [f.code for f in readings.findings] == ["direction-derived"]
     assert (readings.columns["dir_z"][1:5] == 1).all() and readings.columns["dir_z"][5] == -1
 

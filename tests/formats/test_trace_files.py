@@ -14,7 +14,8 @@ import pytest
 from sensworkbench import cli, demo
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.synthesis import exact_error
-from sensworkbench.formats import machine_json, readings_csv, trace_report, trace_run
+from sensworkbench.formats import machine_json, readings_csv, study_files, trace_html
+from sensworkbench.studies.trace import component_values
 
 from .support import ROOT, command
 
@@ -205,13 +206,13 @@ def test_the_report_of_a_trace_is_one_well_formed_page_that_says_what_the_data_s
     root = ElementTree.fromstring(page.removeprefix("<!DOCTYPE html>\n"))
     text = " ".join("".join(root.itertext()).split())
     assert "Explained" in text and "temp_column" in text and "µrad/K" in text
-    assert trace_report.um(data["error"]["augmented"]["held_out"]["rms_um"]) in text
+    assert trace_html.um(data["error"]["augmented"]["held_out"]["rms_um"]) in text
     assert "http" not in page and root.find(".//script") is None
     ids = [e.attrib["id"] for e in root.iter() if "id" in e.attrib]
     assert len(ids) == len(set(ids))
 
 
-@pytest.mark.parametrize("verdict", list(trace_report.VERDICTS))
+@pytest.mark.parametrize("verdict", list(trace_html.VERDICTS))
 def test_every_verdict_has_its_words_and_hostile_names_stay_text(traced, verdict):
     folder, _ = traced
     data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
@@ -219,16 +220,16 @@ def test_every_verdict_has_its_words_and_hostile_names_stay_text(traced, verdict
     data["effects"][0]["name"] = "<script>x</script>"
     data["effects"][0]["rivals"] = [{"component": "EXX", "driver": "a*b", "shape": "linear", "why": "<b>why</b>"}]
     data["next_measurements"] = [{"separates": ["a", "<i>"], "do": "<u>", "predicted_difference_um": 1.25}]
-    root = ElementTree.fromstring(trace_report.trace_report(data).removeprefix("<!DOCTYPE html>\n"))
+    root = ElementTree.fromstring(trace_html.trace_report(data).removeprefix("<!DOCTYPE html>\n"))
     assert root.find(".//script") is None and root.find(".//u") is None
-    assert trace_report.VERDICTS[verdict][1] in "".join(root.itertext())
+    assert trace_html.VERDICTS[verdict][1] in "".join(root.itertext())
 
 
 def test_the_value_that_the_readings_ask_for_lies_on_the_effect(traced):
     folder, _ = traced
     machine = machine_json.load(MACHINE)
     outcome = trace(machine, readings_csv.load(folder / "measured.csv"))
-    driver, asked, fitted = trace_report.component_values(outcome.machine.effects[0], outcome)
+    driver, asked, fitted = component_values(outcome.machine.effects[0], outcome)
     assert len(driver) > 200
     arm = np.linalg.norm(machine.lever_arms(outcome.readings.q)["Z"][:, 1:], axis=1)  # EAZ moves y and z
     arm = arm[arm > arm.max() / 3]
@@ -254,4 +255,4 @@ def test_the_demonstration_loop_finds_what_it_hides(tmp_path):
     assert [(e["component"], e["driver"]) for e in data["effects"]] == [("EAZ", "temp_column")]
     assert {p.name for p in (tmp_path / "loop").iterdir()} >= {"measured.csv", "positions.csv", "predicted.csv"}
     assert any("explained" in w for w in words)
-    assert trace_run.COVARIANCE in {p.name for p in (tmp_path / "loop").iterdir()}
+    assert study_files.COVARIANCE in {p.name for p in (tmp_path / "loop").iterdir()}

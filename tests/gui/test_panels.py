@@ -489,24 +489,6 @@ def test_error_map_as_a_slice_that_slides(machine, machine_doc):
     review.dock().tabs.setCurrentIndex(0)
 
 
-def test_errors_of_the_map_are_those_of_sampled_machines(machine):
-    from sensworkbench.core.distributions import moments
-    from sensworkbench.core.synthesis import omega
-    from sensworkbench.gui import errormap
-
-    core, objective = extract.core_machine(machine), extract.objective(machine)
-    q = np.array([[100.0, -50.0, 80.0]])
-    labels, columns, _, laws = workspace.error_table(core)
-    random = np.random.default_rng(4)
-    x = np.array([random.uniform(t.lower, t.upper, 200_000) for t in laws])
-    assert all(t.distribution == "uniform" for t in laws) and len(moments(laws).var) == len(labels)
-    y = ((omega(core, columns, q)[0] @ x) ** 2).sum(axis=0)
-    assert errormap.errors(core, objective, q)[0] == pytest.approx(np.sqrt(y.mean()), rel=0.01)
-    assert errormap.errors(core, objective, q, errormap.WORST)[0] == pytest.approx(
-        np.sqrt(y.mean() + 2 * y.std()), rel=0.01
-    )
-
-
 def test_preferences_show_and_store_what_the_code_uses(workbench):
     from sensworkbench.gui.preferences import PreferencePage, read_field
 

@@ -14,7 +14,7 @@ from sensworkbench.messages import LANGUAGES, Message, Refused, tables
 
 PACKAGE = Path(tables.__file__).resolve().parents[1]
 CODE = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
-MAKERS = {"Message", "Refused", "refuse", "refused"}
+MAKERS = {"Message", "Refused", "refuse", "refused", "words"}
 
 
 def codes_in(text: str):

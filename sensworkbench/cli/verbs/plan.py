@@ -30,22 +30,23 @@ def add(parser) -> None:
 
 def run(arguments) -> int:
     if arguments.positions is None and arguments.suggest is None:
-        raise Refused("there is no plan to check", "plan", "Name POSITIONS.csv, or ask for one with --suggest N.")
-    from sensworkbench.formats import plan_out
+        raise Refused("plan-missing", "plan")
+    from sensworkbench.formats import plan_html, plan_json, study_files
+    from sensworkbench.studies.plan import PlanRequest, plan_study
 
     readings = None
     if arguments.positions is not None:
-        readings = plan_out.load(arguments.positions, arguments.noise, common.mapping(arguments))
-        common.keep_inputs(Path(arguments.out) / plan_out.SUGGESTED, arguments.positions)
+        readings = plan_json.load(arguments.positions, arguments.noise, common.mapping(arguments))
+        common.keep_inputs(Path(arguments.out) / plan_html.SUGGESTED, arguments.positions)
     try:
         machine = common.load_machine(arguments.machine)
-        checked = plan_out.check(machine, readings, arguments.noise, arguments.suggest, arguments.seed)
+        request = PlanRequest(arguments.noise, arguments.suggest, arguments.seed)
+        study = plan_study(machine, readings, request)
     except Refused as refused:
         if refused.where == "plan" and arguments.positions is not None:
             raise Refused(refused.what, arguments.positions, refused.do) from None
         raise
-    data = plan_out.to_dict(checked)
-    paths = plan_out.write(arguments.out, checked, data)
-    for line in plan_out.summary(data):
+    paths = study_files.write_plan(arguments.out, study)
+    for line in plan_json.summary(plan_json.to_dict(study)):
         common.say(line)
     return common.say_paths(paths)

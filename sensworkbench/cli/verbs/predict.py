@@ -21,18 +21,18 @@ def add(parser) -> None:
 
 
 def run(arguments) -> int:
-    from sensworkbench.closedloop import predict
     from sensworkbench.formats import readings_csv
+    from sensworkbench.studies.predict import PredictRequest, predict_study
 
     mapping = common.mapping(arguments)
     machine = common.load_machine(arguments.machine)
     positions = readings_csv.load_positions(arguments.positions, mapping, machine.joints)
     common.keep_inputs(arguments.out, arguments.positions, arguments.machine)
     try:
-        error = predict.predict(machine, positions, alignment=not arguments.no_alignment)
+        found = predict_study(machine, positions, PredictRequest(alignment=not arguments.no_alignment))
     except Refused as refused:  # what is missing, is missing from this file
         place = arguments.positions if machine.fitted is not None else arguments.machine
         raise refused.at(str(place)) from None
-    outside = predict.extrapolated(machine, positions)
-    readings_csv.save_predicted(arguments.out, arguments.positions, positions, error, outside, mapping)
+    out, extrapolated = arguments.out, found.extrapolated
+    readings_csv.save_predicted(out, arguments.positions, positions, found.error, extrapolated, mapping)
     return common.say_paths([arguments.out])

@@ -27,33 +27,27 @@ def add(parser) -> None:
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import machine_json, readings_csv, trace_run
+    from sensworkbench.formats import machine_json, readings_csv, study_files
+    from sensworkbench.studies.trace import TraceRequest, trace_study
 
     readings = readings_csv.load(arguments.readings, common.mapping(arguments))
+    request = TraceRequest(arguments.seed, arguments.permutations)
     if not common.is_document(arguments.machine):
-        outcome = _traced(machine_json.load(arguments.machine), readings, arguments)
-        paths = trace_run.write(arguments.out, outcome)
+        outcome = trace_study(machine_json.load(arguments.machine), readings, request)
+        paths = study_files.write_trace(arguments.out, outcome)
     else:
         batch = common.batch()
         machine, opened = batch.load_machine(arguments.machine)
         with opened:
-            outcome = _traced(machine, readings, arguments)
+            outcome = trace_study(machine, readings, request)
 
             def add_document(work, augmented):
                 batch.write_augmented(opened, work / AUGMENTED, augmented)
 
             if common.same_file(Path(arguments.out) / AUGMENTED, arguments.machine):
                 raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
-            paths = trace_run.write(arguments.out, outcome, add_document)
+            paths = study_files.write_trace(arguments.out, outcome, add_document)
     common.say(outcome.report["verdict"])
     for effect in outcome.report["effects"]:
         common.say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
     return common.say_paths(paths)
-
-
-def _traced(machine, readings, arguments):
-    from sensworkbench.closedloop.trace import trace
-
-    if not 199 <= arguments.permutations <= 9999:
-        raise Refused(f"{arguments.permutations} permutations", "--permutations", "Give 199 to 9999.")
-    return trace(machine, readings, seed=arguments.seed, permutations=arguments.permutations)

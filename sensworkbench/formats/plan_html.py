@@ -14,7 +14,7 @@ from sensworkbench.closedloop import plan as planning
 
 from . import charts, html
 from .html import Html
-from .trace_report import driver_words, um, unit_words
+from .trace_html import driver_words, um, unit_words
 
 SUGGESTED = "positions_suggested.csv"
 _ROWS = 30  # of a long table

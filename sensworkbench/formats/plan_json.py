@@ -10,41 +10,22 @@ from __future__ import annotations
 import csv
 import io
 import math
-from dataclasses import dataclass, replace
-from pathlib import Path
+from dataclasses import replace
 
 import numpy as np
 
 from sensworkbench.closedloop import plan as planning
-from sensworkbench.closedloop import plan_advice
 from sensworkbench.closedloop.plan import Candidate, Plan
 from sensworkbench.closedloop.readings import Finding, Readings
-from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
+from sensworkbench.studies.plan import PlanResult
 
-from . import column_names, csv_table, plan_report, readings_csv, sensitivity_out
+from . import column_names, csv_table, readings_csv
 from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
-from .file_sets import staged
-from .files import neutral, write_text
-from .plan_report import SUGGESTED, number_words
+from .files import neutral
+from .plan_html import number_words
 
-FEWEST, MOST = 30, 100_000  # readings of a suggested plan
 _UNITS = {"K": "C", "mm/min": "mm_min"}
-
-
-@dataclass(frozen=True)
-class Checked:
-    """plan : as given (None: only a suggestion was asked for), its advice, and the suggested plan (or None)."""
-
-    machine: Machine
-    noise_um: float
-    plan: Plan | None
-    advice: list[plan_advice.Advice]
-    suggested: Plan | None
-
-    @property
-    def shown(self) -> Plan:
-        return self.plan or self.suggested
 
 
 # -- in ----------------------------------------------------------------------------------------------------------------
@@ -93,31 +74,8 @@ def _normals(table, bases, positions) -> np.ndarray:
     return (n / length[:, None])[order]
 
 
-def check(machine: Machine, readings: Readings | None, noise_um: float, count: int | None, seed: int = 0) -> Checked:
-    """Judge a plan, advise, and suggest one of `count` places (None: no suggestion)."""
-    plan = None if readings is None else Plan(machine, _within_travel(machine, readings))
-    suggested = None
-    if count is not None:
-        if not FEWEST <= count <= MOST:
-            raise Refused(f"{count} places", "--suggest", f"Give {FEWEST} to {MOST}.")
-        suggested = Plan(machine, plan_advice.suggest(machine, count, noise_um * 1e-3, readings, seed))
-    shown = plan or suggested
-    return Checked(machine, noise_um, plan, plan_advice.advise(shown, seed), suggested)
-
-
-def _within_travel(machine: Machine, readings: Readings) -> Readings:
-    """The plan with a warning where the axes cannot go there."""
-    low, high = machine.travel.T
-    outside = np.flatnonzero(((readings.q < low - 1e-6) | (readings.q > high + 1e-6)).any(axis=1))
-    if not len(outside):
-        return readings
-    line = int(readings.line[outside[0]]) if readings.line is not None else 0
-    text = f"{len(outside)} places lie outside the travel of the machine, the first in line {line}"
-    return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))
-
-
 # -- out ---------------------------------------------------------------------------------------------------------------
-def to_dict(checked: Checked) -> dict:
+def to_dict(checked: PlanResult) -> dict:
     """The data of plan.json."""
     plan = checked.shown
     pairs = planning.pairs_in_words(plan.confused())
@@ -252,24 +210,6 @@ def positions_csv(readings: Readings) -> str:
     writer.writerow([csv_table.safe_cell(n) for n in names])
     writer.writerows(zip(*columns, strict=True))
     return stream.getvalue()
-
-
-def write(folder, checked: Checked, data: dict) -> list[Path]:
-    """Write plan.json, report.html, candidates.csv and, where one was asked for, the suggested plan; all or nothing.
-
-    data : `to_dict(checked)`.
-    """
-    texts = {
-        "plan.json": sensitivity_out.dumps(data),
-        "report.html": plan_report.plan_report(data),
-        "candidates.csv": candidates_csv(checked.shown),
-    }
-    if checked.suggested is not None:
-        texts[SUGGESTED] = positions_csv(checked.suggested.readings)
-    with staged(folder, "plan") as work:
-        for name, text in texts.items():
-            write_text(work / name, text)
-    return [Path(folder) / name for name in texts]
 
 
 def summary(data: dict) -> list[str]:

@@ -12,10 +12,9 @@ from collections.abc import Mapping
 import numpy as np
 
 from sensworkbench import __version__
-from sensworkbench.closedloop.effects import effect_motion
-from sensworkbench.core.drivers import Effect, driver_columns, driver_values
+from sensworkbench.core.drivers import driver_columns
 from sensworkbench.core.errors import COMPONENTS, component
-from sensworkbench.core.synthesis import omega
+from sensworkbench.studies.trace import component_values, point_vectors
 
 from . import charts, html
 from .html import Html
@@ -162,30 +161,6 @@ def _findings(data, outcome) -> Html:
     return html.section("Findings", *parts)
 
 
-def component_values(effect: Effect, outcome) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(driver, value asked for by the readings, fitted value), each (P',) in driver units and um or urad.
-
-    The value asked for is the effect itself plus what the residual of the full model says along its column of Omega;
-    points whose column is below a third of the longest, or that were left out as outliers, are not returned.
-    """
-    readings = outcome.readings
-    matrix = omega(outcome.machine, [effect.component], readings.q, readings.tool_offset)[:, :, 0]
-    along = np.einsum("ra,ra->r", matrix[readings.point], readings.sense) * outcome.residuals["used"]
-    size = np.bincount(readings.point, weights=along**2, minlength=readings.points)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        rest = (
-            np.bincount(
-                readings.point, weights=along * outcome.residuals["augmented"] * 1e-3, minlength=readings.points
-            )
-            / size
-        )
-    keep = size > size.max() / 9
-    motion = effect_motion(effect, readings.columns)
-    scale = 1e6 if component(effect.component).angular else 1e3
-    driver = driver_values(effect.driver, readings.columns)
-    return driver[keep], (motion + rest)[keep] * scale, motion[keep] * scale
-
-
 def _driver_chart(entry, outcome) -> Html | None:
     if outcome is None or not charts.available():
         return None
@@ -209,14 +184,6 @@ def _driver_chart(entry, outcome) -> Html | None:
         label += f", {per}" + (" above 20 °C" if per == "K" else "")
     alt = f"{effect.component} against {label}"
     return charts.scatter(driver, series, label, f"{effect.component}, {unit}", line=line, alt=alt)
-
-
-def point_vectors(outcome, name: str) -> np.ndarray:
-    """(P, 3) um: the residual `name` of every point as a vector (sum of its readings along their directions)."""
-    readings = outcome.readings
-    vectors = np.zeros((readings.points, 3))
-    np.add.at(vectors, readings.point, (outcome.residuals[name] * outcome.residuals["used"])[:, None] * readings.sense)
-    return vectors
 
 
 def _before_and_after(data, outcome) -> Html:

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The map of the error: the expected volumetric error, or an upper estimate of it, over the workspace or a slice."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..core.distributions import moments
+from ..core.machine import Machine
+from ..core.objectives import Objective
+from ..core.synthesis import omega
+from ..core.workspace import error_table, grid
+
+COUNT = 7  # points per joint
+FINE = 25  # nodes of a slice per joint
+
+
+def map_positions(machine: Machine, sliced: int | None = None, at: float = 0.0, across=(0, 1, 2)) -> np.ndarray:
+    """(P, n) positions of the joints: a grid over the travel, COUNT per joint, or a slice of FINE x FINE of them.
+
+    sliced : number of the joint that stands at `at` (mm or rad, kept within its travel).  across : numbers of the three
+    joints that span the workspace; the others stand in the middle of their travel.
+    """
+    if sliced is None:
+        return grid(machine, COUNT).q
+    low, high = machine.travel[sliced]
+    nodes = [np.array([(a + b) / 2]) for a, b in machine.travel]
+    for i in across:
+        nodes[i] = np.linspace(*machine.travel[i], FINE)
+    nodes[sliced] = np.array([min(max(at, low), high)])
+    return np.stack([g.ravel() for g in np.meshgrid(*nodes, indexing="ij")], axis=1)
+
+
+def map_errors(machine: Machine, objective: Objective, q: np.ndarray, upper: bool = False) -> np.ndarray:
+    """(P,) the expected size of the error at positions q (P, n), or with `upper` an upper estimate; mm (rad).
+
+    Of a sum of squares Y: sqrt(E[Y]), and sqrt(E[Y] + 2 sqrt(V(Y))).
+    """
+    _, columns, _, laws = error_table(machine)
+    found = objective.indices(omega(machine, columns, q, output=objective.output), moments(laws))
+    return objective.upper(found) if upper else objective.expected(found)

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The plan study: what a measuring plan could find, what would improve it, and a suggested plan."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..closedloop import plan_advice
+from ..closedloop.plan import Plan
+from ..closedloop.readings import Finding, Readings
+from ..core.machine import Machine
+from ..core.refusal import Refused
+
+FEWEST, MOST = 30, 100_000  # readings of a suggested plan
+
+
+@dataclass(frozen=True)
+class PlanRequest:
+    """noise_um : standard uncertainty of one reading.  suggest, seed : places of a suggested plan (None: none)."""
+
+    noise_um: float = 1.0
+    suggest: int | None = None
+    seed: int = 0
+
+
+@dataclass(frozen=True)
+class PlanResult:
+    """plan : as given (None: only a suggestion was asked for), its advice, and the suggested plan (or None)."""
+
+    machine: Machine
+    noise_um: float
+    plan: Plan | None
+    advice: list[plan_advice.Advice]
+    suggested: Plan | None
+
+    @property
+    def shown(self) -> Plan:
+        """The plan that is judged: the given one, else the suggested one."""
+        return self.plan or self.suggested
+
+
+def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest = PlanRequest()) -> PlanResult:
+    """Judge a plan (readings of value 0), advise, and suggest another.
+
+    Refuses where there is neither a plan nor a number of places to suggest, and a number outside FEWEST to MOST.
+    """
+    if readings is None and request.suggest is None:
+        raise Refused("plan-missing", "plan")
+    plan = None if readings is None else Plan(machine, within_travel(machine, readings))
+    suggested = None
+    if request.suggest is not None:
+        if not FEWEST <= request.suggest <= MOST:
+            raise Refused("plan-size", "--suggest", count=request.suggest, least=FEWEST, most=MOST)
+        noise = request.noise_um * 1e-3
+        suggested = Plan(machine, plan_advice.suggest(machine, request.suggest, noise, readings, request.seed))
+    advice = plan_advice.advise(plan or suggested, request.seed)
+    return PlanResult(machine, request.noise_um, plan, advice, suggested)
+
+
+def within_travel(machine: Machine, readings: Readings) -> Readings:
+    """The plan with a warning where the joints cannot go there."""
+    low, high = machine.travel.T
+    outside = np.flatnonzero(((readings.q < low - 1e-6) | (readings.q > high + 1e-6)).any(axis=1))
+    if not len(outside):
+        return readings
+    line = int(readings.line[outside[0]]) if readings.line is not None else 0
+    text = f"{len(outside)} places lie outside the travel of the machine, the first in line {line}"
+    return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The prediction study: the error at new places and conditions, and where that leaves what the fit has seen."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..closedloop import predict
+from ..closedloop.readings import Readings
+from ..core.machine import Machine
+
+
+@dataclass(frozen=True)
+class PredictRequest:
+    """alignment : include the fitted alignment of the set-up and the offsets of runs and tools."""
+
+    alignment: bool = True
+
+
+@dataclass(frozen=True)
+class PredictResult:
+    """error : (P, 3) mm, actual minus commanded.  extrapolated : (P,) whether a place lies outside the fit's ranges."""
+
+    error: np.ndarray
+    extrapolated: np.ndarray
+
+
+def predict_study(machine: Machine, positions: Readings, request: PredictRequest = PredictRequest()) -> PredictResult:
+    """The error of a fitted machine at `positions`.  Refuses a machine without fitted errors, and missing columns."""
+    error = predict.predict(machine, positions, alignment=request.alignment)
+    return PredictResult(error, predict.extrapolated(machine, positions))

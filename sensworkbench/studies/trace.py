@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The trace study: from readings to the effects that the model lacks, and the values that its pictures show."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..closedloop.effects import effect_motion
+from ..closedloop.outcome import Outcome
+from ..closedloop.readings import Readings
+from ..closedloop.trace import trace
+from ..core.drivers import Effect, driver_values
+from ..core.errors import component
+from ..core.machine import Machine
+from ..core.refusal import Refused
+from ..core.synthesis import omega
+
+FEWEST, MOST = 199, 9999  # permutations
+SHORT_ARM = 1 / 3  # of the longest column of Omega: readings below it say little about a component
+
+
+@dataclass(frozen=True)
+class TraceRequest:
+    """seed : of permutations and half-samples.  permutations : behind each p, FEWEST to MOST."""
+
+    seed: int = 0
+    permutations: int = FEWEST
+
+
+def trace_study(
+    machine: Machine,
+    readings: Readings,
+    request: TraceRequest = TraceRequest(),
+    progress: Callable[[float], bool] | None = None,
+) -> Outcome:
+    """What the readings show that the declared model lacks.
+
+    progress : called with the part that is done, 0 to 1; a false answer cancels.  Refuses a number of permutations
+    that is out of range, and readings that are too few.
+    """
+    if not FEWEST <= request.permutations <= MOST:
+        count = request.permutations
+        raise Refused("trace-permutations", "--permutations", count=count, least=FEWEST, most=MOST)
+    return trace(machine, readings, seed=request.seed, permutations=request.permutations, progress=progress)
+
+
+def component_values(effect: Effect, outcome: Outcome) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """(driver, value asked for by the readings, fitted value), each (P',) in driver units and um or urad.
+
+    The value asked for is the effect itself plus what the residual of the full model says along its column of Omega;
+    points whose column is below SHORT_ARM of the longest, or that were left out as outliers, are not returned.
+    """
+    readings = outcome.readings
+    matrix = omega(outcome.machine, [effect.component], readings.q, readings.tool_offset)[:, :, 0]
+    along = np.einsum("ra,ra->r", matrix[readings.point], readings.sense) * outcome.residuals["used"]
+    size = np.bincount(readings.point, weights=along**2, minlength=readings.points)
+    rest = along * outcome.residuals["augmented"] * 1e-3
+    with np.errstate(divide="ignore", invalid="ignore"):
+        rest = np.bincount(readings.point, weights=rest, minlength=readings.points) / size
+    keep = size > size.max() * SHORT_ARM**2
+    motion = effect_motion(effect, readings.columns)
+    scale = 1e6 if component(effect.component).angular else 1e3
+    driver = driver_values(effect.driver, readings.columns)
+    return driver[keep], (motion + rest)[keep] * scale, motion[keep] * scale
+
+
+def point_vectors(outcome: Outcome, name: str) -> np.ndarray:
+    """(P, 3) um: the residual `name` of every point as a vector (sum of its readings along their directions)."""
+    readings = outcome.readings
+    vectors = np.zeros((readings.points, 3))
+    np.add.at(vectors, readings.point, (outcome.residuals[name] * outcome.residuals["used"])[:, None] * readings.sense)
+    return vectors
