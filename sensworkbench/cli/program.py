@@ -9,12 +9,15 @@ FreeCAD (FCStd).
 from __future__ import annotations
 
 import argparse
+import contextlib
 import importlib
 import importlib.util
 import os
 import re
+import signal
 import sys
 import tempfile
+import threading
 import traceback
 from collections.abc import Sequence
 
@@ -71,6 +74,31 @@ def _joined(argv: Sequence[str]) -> list[str]:
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status.  Prints what was written to stdout and refusals to stderr."""
     argv = [str(a) for a in (sys.argv[1:] if argv is None else argv)]
+    with _interrupts() as interrupted:
+        return _run(argv, interrupted)
+
+
+@contextlib.contextmanager
+def _interrupts():
+    """A list that is not empty once the user has interrupted: a library may turn the exception into one of its own."""
+    noted: list[int] = []
+
+    def note(number, frame):
+        noted.append(number)
+        raise KeyboardInterrupt
+
+    usual = signal.getsignal(signal.SIGINT)
+    ours = usual is signal.default_int_handler and threading.current_thread() is threading.main_thread()
+    if ours:
+        signal.signal(signal.SIGINT, note)
+    try:
+        yield noted
+    finally:
+        if ours:
+            signal.signal(signal.SIGINT, usual)
+
+
+def _run(argv: list[str], interrupted: list[int]) -> int:
     try:
         arguments = parser().parse_args(_joined(argv))
         if importlib.util.find_spec("numpy") is None:
@@ -89,6 +117,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         say("Interrupted.", sys.stderr)
         return INTERRUPTED
     except Exception as error:  # noqa: BLE001 - the last line of defence: a defect is reported, never shown raw
+        if interrupted:
+            say("Interrupted.", sys.stderr)
+            return INTERRUPTED
         _report_defect(error)
         return DEFECT
 
