@@ -24,6 +24,7 @@ from .errors import AXES, BODY_NAMES, ENDS, Component, components_of, find
 from .fitted import FittedModel
 from .joints import Joint, Pose, identity, vector
 from .refusal import Refused
+from .sources import Source
 
 MAX_SKEW_DEG = 5.0
 MOST_JOINTS = 6
@@ -44,6 +45,7 @@ class Machine:
     parallel). tolerances : symbol -> Tolerance as given.  declared : symbol -> polynomial degree of the declared error
     function (0: not declared; errors of axis lines 1 or 0).  fitted : what a fit of readings gave, or None.  effects :
     traced effects. extra : the file's "x-" keys, kept.  version : of the file it was read from, and is written as.
+    sources : causes that several errors follow.
     """
 
     name: str
@@ -61,6 +63,7 @@ class Machine:
     extra: Mapping = field(default_factory=dict)
     frame_axes: tuple[str, str] | None = None
     version: int = 1
+    sources: tuple[Source, ...] = ()
 
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731 - frozen dataclass
@@ -72,6 +75,7 @@ class Machine:
         put("workpiece_chain", tuple(self.workpiece_chain))
         put("tool_chain", tuple(self.tool_chain))
         put("effects", tuple(self.effects))
+        put("sources", tuple(self.sources))
         put("tool_point", vector(self.tool_point, "tool_point"))
         for name in ("spindle_reference", "workpiece_reference"):
             if getattr(self, name) is not None:
@@ -83,6 +87,15 @@ class Machine:
         if self.frame_axes is not None:
             put("frame_axes", tuple(self.frame_axes))
             self._check_frame()
+        self._check_sources()
+
+    def _check_sources(self):
+        names = [s.name for s in self.sources]
+        for source in self.sources:
+            if names.count(source.name) > 1 or source.name in self.bodies or source.name in self._table:
+                raise Refused("source-name-taken", "sources", name=source.name)
+            for symbol in source.factors:
+                self.component(symbol, f"source {source.name}")
 
     def _check_chains(self):
         where = "workpiece_chain / tool_chain"
@@ -193,11 +206,12 @@ class Machine:
     @property
     def all_tolerances(self) -> dict[str, Tolerance]:
         """The tolerances given, and for the rest of a linear joint and the spindle those of the paper (none for rotary
-        joints, whose errors take part where a tolerance is given)."""
+        joints and for errors that follow a source, which take part where a tolerance is given)."""
         usual = {}
+        followed = {self.component(s).symbol for source in self.sources for s in source.factors}
         for symbol in (*self.function_symbols, *self.line_symbols, "EXT", "EYT", "EZT"):
             c = self._table[symbol]
-            if c.body in ENDS or self.axes[c.body].slides:
+            if symbol not in followed and (c.body in ENDS or self.axes[c.body].slides):
                 usual[symbol] = paper_tolerance_of(c)
         given = {self.component(s).symbol: t for s, t in self.tolerances.items()}
         more = {c.symbol: given[c.symbol] for c in self.components if c.symbol in given and c.symbol not in usual}

@@ -18,6 +18,7 @@ from .distributions import Tolerance, moments
 from .machine import Machine
 from .objectives import MeanSquare, Objective
 from .refusal import Refused
+from .sources import ErrorTable, mixing_matrix
 from .synthesis import ORIENTATION, omega
 
 CHUNK = 4096
@@ -133,7 +134,10 @@ class Sensitivity:
     component_total_vw (g,): group indices of each component.  mean_square E[Y], variance V(Y): mean over the
     positions (mm², mm⁴; rad², rad⁴ for orientation; mm, mm² when signed).  estimated_error: largest difference of
     `total` between this quadrature and one of two orders less, or three standard errors of a low-discrepancy set
-    (None for a grid or one position).
+    (None for a grid or one position).  without_extent : enabled effects that take no part, see `error_table`.
+
+    share (n,), component_share (g,): the part of V(Y) that is an input's or a component's own, mean over the positions;
+    they add up to 1.  Nothing exists above pairs, so that these Shapley effects are (S + S^T)/2 (Owen 2014).
     """
 
     symbols: tuple[str, ...]
@@ -153,26 +157,45 @@ class Sensitivity:
     positions: Positions
     objective: Objective = field(default_factory=MeanSquare)
     estimated_error: float | None = None
+    without_extent: tuple[str, ...] = ()
+
+    @property
+    def share(self) -> np.ndarray:
+        return (self.first + self.total) / 2
+
+    @property
+    def component_share(self) -> np.ndarray:
+        return (self.component_first + self.component_total) / 2
 
 
-def error_table(machine: Machine):
-    """(labels, columns, owners, tolerances) of everything that varies: the tolerances, then the enabled effects.
+def error_table(machine: Machine) -> ErrorTable:
+    """Everything that varies: the tolerances, the enabled effects, the sources.
 
-    columns : the ISO symbol whose column of Omega each entry uses.  An effect's law is uniform between the extremes it
-    reached on the readings (`driver_range` times its coefficient).
+    An effect's law is uniform between the extremes that its component reached; one of which no extremes are known takes
+    no part and is listed in `without_extent`.
     """
     tolerances = machine.all_tolerances
     labels, columns = list(tolerances), list(tolerances)
     laws = list(tolerances.values())
+    without_extent = []
     for effect in machine.effects:
-        if effect.enabled and "extent" in effect.parameters:
+        if effect.enabled and "extent" not in effect.parameters:
+            without_extent.append(effect.name)
+        elif effect.enabled:
             low, high = effect.parameter("extent")
             c = machine.component(effect.component)
             labels.append(effect.name)
             columns.append(effect.component)
             laws.append(Tolerance(c.from_shown(low), c.from_shown(high)))
     owners = [machine.component(c).body for c in columns]
-    return labels, columns, owners, laws
+    symbols, mixing = mixing_matrix(columns, machine.sources)
+    for source in machine.sources:
+        bodies = {machine.component(s).body for s in source.factors}
+        labels.append(source.name)
+        columns.append("")
+        owners.append(bodies.pop() if len(bodies) == 1 else source.name)
+        laws.append(source.law)
+    return ErrorTable(tuple(labels), tuple(columns), tuple(owners), tuple(laws), symbols, mixing, tuple(without_extent))
 
 
 def sensitivity(
@@ -193,11 +216,15 @@ def sensitivity(
     if estimate and positions.kind == "quadrature" and max(positions.counts) > 1:
         lower = quadrature(machine, [max(1, c - 2) for c in positions.counts])
     everything = count + (0 if lower is None else len(lower.q))
-    labels, columns, owners, laws = error_table(machine)
-    if objective.output == ORIENTATION and not omega(machine, columns, positions.q[:64], output=ORIENTATION).any():
+    table = error_table(machine)
+    labels, owners = table.labels, table.owners
+    if (
+        objective.output == ORIENTATION
+        and not omega(machine, table.symbols, positions.q[:64], output=ORIENTATION).any()
+    ):
         raise Refused("objective-nothing-turns", "objective")
-    law = moments(laws)
-    bodies = tuple(b for b in machine.bodies if b in owners)
+    law = moments(table.laws)
+    bodies = tuple(b for b in (*machine.bodies, *(s.name for s in machine.sources)) if b in owners)
     groups = [[i for i, o in enumerate(owners) if o == b] for b in bodies]
     n, g = len(labels), len(bodies)
     of_errors = ("first", "total", "first_vw", "total_vw", "total_max")
@@ -206,7 +233,7 @@ def sensitivity(
     mean_square = variance = 0.0
     replicates = np.zeros((REPLICATES, n)) if estimate and positions.kind == "low_discrepancy" else None
     for replicate, block in _blocks(positions):
-        matrix = omega(machine, columns, positions.q[block], output=objective.output)
+        matrix = table.mixed(omega(machine, table.symbols, positions.q[block], output=objective.output))
         one, many = objective.indices(matrix, law), objective.group_indices(matrix, law, groups)
         w = positions.weights[block]
         wv = w * one.variance
@@ -232,13 +259,14 @@ def sensitivity(
     for key in ("first_vw", "total_vw", "component_total_vw"):
         sums[key] = sums[key] / variance
     result = Sensitivity(
-        symbols=tuple(labels),
-        owners=tuple(owners),
+        symbols=labels,
+        owners=owners,
         bodies=bodies,
         mean_square=mean_square,
         variance=variance,
         positions=positions,
         objective=objective,
+        without_extent=table.without_extent,
         **sums,
     )
     if lower is not None:
