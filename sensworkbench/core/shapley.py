@@ -83,8 +83,8 @@ def _told(covariance: np.ndarray, members) -> np.ndarray:
 def gaussian_shares(omega, mean, covariance, groups, weights=None) -> Shares:
     """Shapley effects of groups of correlated normal errors for Y = sum_a w_a T_a².
 
-    omega : (P, 3, n) or (3, n).  mean : (n,).  covariance : (n, n).  groups : lists of columns that partition the inputs,
-    at most MOST_GROUPS.  weights : (3,), default ones.
+    omega : (P, 3, n) or (3, n).  mean : (n,).  covariance : (n, n).  groups : lists of columns that partition the
+    inputs, at most MOST_GROUPS.  weights : (3,), default ones.
     """
     omega = np.asarray(omega, dtype=float)
     omega = omega[None] if omega.ndim == 2 else omega

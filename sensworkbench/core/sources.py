@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Errors that come from one cause: a source S with a law, and the factors by which errors follow it, X = mu + L S.
 
-One rail gives straightness and pitch; one temperature lengthens three scales.  The sources are independent, so Y stays a
-quadratic form in them, A' = LᵀAL, and every exact formula for independent inputs holds for S unchanged.
+One rail gives straightness and pitch; one temperature lengthens three scales.  The sources are independent, so Y stays
+a quadratic form in them, A' = LᵀAL, and every exact formula for independent inputs holds for S unchanged.
 """
 
 from __future__ import annotations
@@ -47,8 +47,8 @@ class ErrorTable:
 
     labels (n): symbol, or name of an effect or source.  columns (n): the symbol of each input ("" for a source).
     owners (n): the body that an input belongs to; a source that moves several bodies belongs to itself.  laws (n).
-    symbols (m): the errors whose columns of Omega are used.  mixing : (m, n) error per unit of each input, or None where
-    every input is one error.  without_extent : effects that no range is known of, which take no part.
+    symbols (m): the errors whose columns of Omega are used.  mixing : (m, n) error per unit of each input, or None
+    where every input is one error.  without_extent : effects that no range is known of, which take no part.
     """
 
     labels: tuple[str, ...]

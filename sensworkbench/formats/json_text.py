@@ -164,9 +164,9 @@ class Place:
         parts = [self.name] + ([f"line {line}"] if line else []) + ([path_text(self.path)] if self.path else [])
         return ", ".join(parts)
 
-    def refuse(self, what: str, do: str = "") -> Refused:
-        """The refusal to raise: `raise place.refuse(...)`."""
-        return Refused(what, self.where, do)
+    def refuse(self, code: str, do: str | None = None, /, **fields) -> Refused:
+        """The refusal to raise, `raise place.refuse(code, **fields)`: its place is this one's."""
+        return Refused(code, self.where, do, **fields)
 
     def __contains__(self, key) -> bool:
         return key in self.value

@@ -19,6 +19,7 @@ from sensworkbench.core.errors import AXES, component
 from sensworkbench.core.joints import KINDS, Joint, linear
 from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.sources import Source
 from sensworkbench.core.units import factor
 
 from . import fitted_json
@@ -30,7 +31,7 @@ FORMAT, VERSIONS = "sens-machine", (1, 2)
 
 _KEYS = (
     "format", "version", "name", "workpiece_chain", "tool_chain", "tool_point", "spindle_reference",
-    "workpiece_reference", "squareness", "tolerances", "declared", "fitted", "effects",
+    "workpiece_reference", "squareness", "tolerances", "declared", "fitted", "effects", "sources",
 )  # fmt: skip
 _REQUIRED = ("format", "version", "workpiece_chain", "tool_chain", "tool_point")
 
@@ -74,6 +75,7 @@ def from_place(top: Place) -> Machine:
         declared=_declared(top["declared"], bare) if "declared" in top else {},
         fitted=fitted_json.read(top["fitted"], bare.component) if "fitted" in top else None,
         effects=_effects(top["effects"], bare) if "effects" in top else (),
+        sources=_checked_sources(top["sources"], bare) if "sources" in top else (),
     )
 
 
@@ -236,6 +238,31 @@ def _effects(place: Place, machine: Machine) -> tuple[Effect, ...]:
     return tuple(found)
 
 
+def _checked_sources(place: Place, machine: Machine) -> tuple[Source, ...]:
+    found = tuple(_source(entry, machine) for entry in place.elements())
+    with _refused_at(place):
+        replace(machine, sources=found)
+    return found
+
+
+def _source(entry: Place, machine: Machine) -> Source:
+    """A cause: its law, of a pure number, and for each error that follows it the factor with its unit."""
+    entry.keys(("name", "distribution", "lower", "upper", "sigma", "factors"), ("name", "factors"))
+    distribution = entry["distribution"].string(DISTRIBUTIONS) if "distribution" in entry else "uniform"
+    sigma = entry["sigma"].number() if "sigma" in entry else None
+    given = {key: entry[key].number() for key in ("lower", "upper") if key in entry}
+    if len(given) < 2:
+        if sigma is None or distribution != "normal" or given:
+            raise entry.refuse("source-without-law")
+        given = {"lower": -3 * sigma, "upper": 3 * sigma}  # a normal law needs its sigma alone
+    factors = {}
+    for c, value in symbols(entry["factors"], machine.component):
+        value.keys(("value", "unit"), ("value",))
+        factors[c.symbol] = value["value"].number() * unit_scale(value, c)
+    with _refused_at(entry):
+        return Source(entry["name"].string(), Tolerance(given["lower"], given["upper"], distribution, sigma), factors)
+
+
 # -- writing ---------------------------------------------------------------------------------------------------------
 def to_dict(machine: Machine) -> dict:
     """The machine as plain data, as it stands in the file."""
@@ -267,6 +294,8 @@ def to_dict(machine: Machine) -> dict:
         data["declared"] = {
             s: {"shape": "polynomial", "degree": d} if d else {"shape": "none"} for s, d in machine.declared.items()
         }
+    if machine.sources:
+        data["sources"] = [_source_dict(s, machine) for s in machine.sources]
     if machine.fitted is not None:
         data["fitted"] = fitted_json.to_dict(machine.fitted, machine.component)
     if machine.effects:
@@ -282,6 +311,20 @@ def to_dict(machine: Machine) -> dict:
             for e in machine.effects
         ]
     return data | dict(machine.extra)
+
+
+def _source_dict(source: Source, machine: Machine) -> dict:
+    law = source.law
+    data = {"name": source.name, "distribution": law.distribution, "lower": law.lower, "upper": law.upper}
+    if law.sigma is not None:
+        data["sigma"] = law.sigma
+    data["factors"] = {}
+    for symbol, size in source.factors.items():
+        c = machine.component(symbol)
+        shown = exactly_shown(size, c.from_shown(1.0))
+        unit = c.unit if shown is not None else ("rad" if c.angular else "mm")
+        data["factors"][symbol] = {"value": size if shown is None else shown, "unit": unit}
+    return data
 
 
 def written_version(machine: Machine) -> int:

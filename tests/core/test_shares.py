@@ -46,8 +46,8 @@ def test_shares_of_a_machine_add_up_to_one(signed):
     assert np.all(found.share >= 0)
 
 
-def test_the_share_of_a_component_is_not_less_than_its_members_need():
-    """Shapley effects of groups are not sums of members' effects in general, but for pairs only they are."""
+def test_the_share_of_a_component_is_the_sum_of_its_members_shares():
+    """True because nothing exists above pairs; for higher orders groups would have shares of their own."""
     found = workspace.sensitivity(c_frame(), workspace.quadrature(c_frame(), 3))
     for body, share in zip(found.bodies, found.component_share):
         members = [i for i, owner in enumerate(found.owners) if owner == body]

@@ -174,3 +174,37 @@ def test_predicted_errors_of_a_five_axis_machine_are_omega_times_what_was_fitted
     values = np.array([[2e-3 * 90 / 180, 5e-3, 2e-5], [2e-3 * -45 / 180, 5e-3, 2e-5]])
     expected = np.einsum("pan,pn->pa", omega(machine, ["EXC", "X0C", "A0C"], places.q), values)
     assert predict.predict(known, places) == pytest.approx(expected, abs=1e-12)
+
+
+# -- sources ---------------------------------------------------------------------------------------------------------
+SOURCES = [
+    {"name": "rail", "distribution": "uniform", "lower": -1, "upper": 1,
+     "factors": {"EXX": {"value": 4.0, "unit": "um"}, "EAX": {"value": -0.3, "unit": "urad"}}},
+    {"name": "room", "distribution": "normal", "sigma": 1.5, "factors": {"EYY": {"value": 1, "unit": "mm"}}},
+]  # fmt: skip
+
+
+def test_sources_are_read_in_mm_and_rad_and_written_as_they_were():
+    machine = read(data() | {"sources": SOURCES})
+    rail, room = machine.sources
+    assert dict(rail.factors) == {"EXX": 4.0 * 1e-3, "EAX": -0.3 * 1e-6} and dict(room.factors) == {"EYY": 1.0}
+    assert room.law.moments[1] == pytest.approx(1.5**2)
+    assert machine_json.loads(machine_json.dumps(machine)) == machine
+    assert machine_json.to_dict(machine)["sources"][0] == SOURCES[0]
+
+
+@pytest.mark.parametrize(
+    "change, place",
+    [
+        ({"factors": {}}, "sources"),
+        ({"factors": {"EXQ": {"value": 1}}}, "sources[0].factors.EXQ"),
+        ({"factors": {"EXX": {"value": 1, "unit": "urad"}}}, "sources[0].factors.EXX.unit"),
+        ({"name": "room"}, "sources"),
+        ({"lower": 2}, "sources[0]"),
+        ({"upper": None}, "sources[0].upper"),
+    ],
+)
+def test_bad_sources_are_refused_with_their_place(change, place):
+    with pytest.raises(Refused) as refused:
+        read(data() | {"sources": [SOURCES[0] | change, SOURCES[1]]})
+    assert place in refused.value.where
