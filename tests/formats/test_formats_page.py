@@ -34,6 +34,14 @@ def test_the_machine_of_the_page_can_be_read_and_written_to_every_format():
     assert write(machine, "linuxcnc").coverage.effects == ("backlash",)
 
 
+def test_the_five_axis_machine_of_the_page_is_read():
+    machine = machine_json.loads(example('{"format": "sens-machine", "version": 2'))
+    assert machine.names == ("X", "Y", "Z", "A", "C")
+    assert [machine.joint(n).kind.name for n in machine.names] == ["linear"] * 3 + ["rotary"] * 2
+    assert machine.joint("C").travel is None and machine.joint("A").travel[0] == pytest.approx(np.radians(-120))
+    assert {"C0Y", "Y0A", "B0A", "X0C", "ECC"} <= {c.symbol for c in machine.components}
+
+
 def test_the_readings_of_the_page_are_read(tmp_path):
     path = tmp_path / "measured.csv"
     path.write_text(example("# sign"), encoding="utf-8")
