@@ -16,6 +16,8 @@ import numpy as np
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import ANGLE, LENGTH
 
+from .json_text import short
+
 MASS = {"kg": 1.0, "g": 1e-3, "t": 1e3, "lb": 0.45359237}
 TIME = {"s": 1.0, "ms": 1e-3, "min": 60.0, "h": 3600.0}
 TEMPERATURE = {"C": (1.0, -20.0), "K": (1.0, -293.15), "F": (5 / 9, -32 * 5 / 9 - 20.0)}
@@ -68,6 +70,9 @@ PLAIN = {
 }
 
 
+_PLAIN_KINDS = {suffix: kind for kind, group in PLAIN.items() for suffix in group}  # none has two underscores
+
+
 @dataclass(frozen=True)
 class Name:
     """base : name without unit.  kind : quantity.  suffix : as written.  unit : internal one.  known : ours or not."""
@@ -90,12 +95,12 @@ class Name:
 
 def _plain(text: str):
     """(base, kind, suffix) of an unknown name that ends in a unit that can be nothing else, the longest first."""
-    ends = [(suffix, kind) for kind, group in PLAIN.items() for suffix in group if text.endswith("_" + suffix)]
-    if not ends:
-        return None
-    suffix, kind = max(ends, key=lambda end: len(end[0]))
-    base = text[: -len(suffix) - 1]
-    return (base, kind, suffix) if base else None
+    parts = text.rsplit("_", 2)
+    for suffix in ("_".join(parts[-2:]), parts[-1]) if len(parts) == 3 else parts[1:]:
+        if suffix in _PLAIN_KINDS:
+            base = text[: -len(suffix) - 1]
+            return (base, _PLAIN_KINDS[suffix], suffix) if base else None
+    return None
 
 
 @cache
@@ -119,8 +124,9 @@ def parse(text: str, where: str = "", joints: tuple[tuple[str, bool], ...] = ())
             return Name(base, kind, suffix, KINDS[kind][1], True)
     if text in bases and bases[text] == "none":
         return Name(text, "none", "", "", True)
-    for base in sorted(bases, key=len, reverse=True):
-        if text == base or text.startswith(base + "_"):
+    parts = text.split("_", 2)
+    for base in ("_".join(parts[:2]), parts[0]) if len(parts) > 1 else parts:  # the longest first; none has three parts
+        if base in bases:
             kind, suffix = bases[base], text[len(base) + 1 :]
             if kind == "none" and base == "run":
                 break  # run_id and the like are names of their own
@@ -141,4 +147,4 @@ def parse(text: str, where: str = "", joints: tuple[tuple[str, bool], ...] = ())
 def _unit_refused(text: str, kind: str, where: str) -> Refused:
     wanted = EXAMPLE.get(kind)
     do = f"End the name in a unit: {wanted}" if wanted else "This name takes no unit"
-    return Refused(f"column {text!r} has no unit that is known for it", where, f"{do}; or rename the column.")
+    return Refused(f"column {short(text)} has no unit that is known for it", where, f"{do}; or rename the column.")

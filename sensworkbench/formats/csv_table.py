@@ -2,12 +2,15 @@
 """Text tables: separator, comments, quoting and line numbers, before anything is known of what the columns mean.
 
 The first row that is neither blank nor a comment holds the names.  Nothing is dropped: a row with the wrong number of
-cells is refused with its line, and a cell that is no number is found again by line and column.
+cells is refused with its line, and a cell that is no number is found again by line and column.  Time and memory grow
+with the size of the text, however it is cut into rows and columns.
 """
 
 from __future__ import annotations
 
 import csv
+from array import array
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,9 +18,42 @@ import numpy as np
 from sensworkbench.core.refusal import Refused
 
 from .files import neutral, read_text
+from .json_text import short
 
 LIMIT = 512 * 2**20  # bytes
 SEPARATORS = ("\t", ";", ",")
+MAX_COLUMNS = 100_000
+_CHUNK = 2**20  # characters that are cut into cells at a time
+
+
+class Cells(Sequence):
+    """The cells of a table, column by column: `cells[j]` is the list of stripped texts of column j, made when asked.
+
+    Held as long texts, a block of rows in each: a list of millions of short texts would take fifty times the file.
+    """
+
+    def __init__(self, width: int):
+        self._blocks: tuple[list[str], ...] = tuple([] for _ in range(width))
+
+    def add(self, rows: list[list[str]]) -> None:
+        """Append rows, each as long as the table is wide."""
+        for blocks, column in zip(self._blocks, zip(*rows, strict=True), strict=True):
+            blocks.append("\n".join([cell.strip() for cell in column]))
+
+    def __len__(self) -> int:
+        return len(self._blocks)
+
+    def __getitem__(self, column):
+        return [cell for block in self.blocks(column) for cell in block]
+
+    def blocks(self, column: int) -> Iterator[list[str]]:
+        """The cells of a column, a block of rows at a time."""
+        for block in self._blocks[column]:
+            yield block.split("\n")
+
+    def holds(self, column: int, mark: str) -> bool:
+        """Whether a character stands anywhere in a column."""
+        return any(mark in block for block in self._blocks[column])
 
 
 @dataclass(frozen=True)
@@ -28,7 +64,7 @@ class Table:
     """
 
     names: tuple[str, ...]
-    cells: tuple[list[str], ...]
+    cells: Cells
     line: np.ndarray
     comments: tuple[tuple[int, str], ...]
     names_line: int
@@ -40,34 +76,59 @@ class Table:
         return len(self.line)
 
     def place(self, row: int, column: int) -> str:
-        return f"{self.source}, line {int(self.line[row])}, column {column + 1} ({self.names[column]})"
+        return f"{self.source}, line {int(self.line[row])}, column {column + 1} ({short(self.names[column])[1:-1]})"
+
+    def comma(self, column: int) -> bool:
+        """Whether the decimal sign of a column is a comma: the separator is none, and a cell holds one."""
+        return self.separator != "," and self.cells.holds(column, ",")
 
     def text(self, column: int) -> list[str]:
         """Cells ready for float(): a decimal comma made a point where the separator is not a comma."""
         cells = self.cells[column]
-        if self.separator != "," and any("," in c for c in cells):
-            return [c.replace(",", ".") for c in cells]
-        return cells
+        return [c.replace(",", ".") for c in cells] if self.comma(column) else cells
 
     def first_bad(self, column: int) -> int | None:
         """The first row whose cell is neither empty nor a number."""
-        for row, cell in enumerate(self.text(column)):
-            if cell and not is_number(cell):
-                return row
+        comma, row = self.comma(column), 0
+        for block in self.cells.blocks(column):
+            for cell in block:
+                if cell and not is_number(cell.replace(",", ".") if comma else cell):
+                    return row
+                row += 1
         return None
 
     def numbers(self, column: int) -> np.ndarray:
         """(P,) the column as numbers, NaN where a cell is empty; refuses text with line and column."""
-        cells = self.text(column)
-        try:
-            if any("_" in c for c in cells):  # Python reads 1_000 as a number; a file does not mean it
-                raise ValueError
-            return np.array([c or "nan" for c in cells], dtype=object).astype(float)
-        except ValueError:
-            row = self.first_bad(column)
+        comma = self.comma(column)
+        if comma and self.cells.holds(column, "."):
+            self._refuse_mixed(column)
+        found = [np.empty(0)]
+        underscore = self.cells.holds(column, "_")  # Python reads 1_000 as a number; a file does not mean it
+        for block in self.cells.blocks(column):
+            try:
+                if underscore:
+                    raise ValueError
+                if comma:
+                    block = [c.replace(",", ".") for c in block]
+                found.append(np.array([float(c) if c else np.nan for c in block]))
+            except ValueError:
+                row = self.first_bad(column)
+                cell = short(self.cells[column][row])
+                raise Refused("cell-not-a-number", self.place(row, column), cell=cell) from None
+        return np.concatenate(found)
+
+    def _refuse_mixed(self, column: int) -> None:
+        """Refuse a column in which some numbers have a decimal comma and others a point: one of them is no decimal."""
+        cells = self.cells[column]
+        both = [
+            next((r for r, c in enumerate(cells) if mark in c and is_number(c.replace(",", "."))), None)
+            for mark in ",."
+        ]
+        if None not in both:
+            row = max(both)
             raise Refused(
-                f"{self.cells[column][row]!r} is not a number", self.place(row, column), "Correct or empty the cell."
-            ) from None
+                "decimal-mixed", self.place(row, column), cell=short(cells[row]), other=short(cells[min(both)])
+            )
 
 
 def is_number(text: str) -> bool:
@@ -81,57 +142,70 @@ def is_number(text: str) -> bool:
 def parse(text: str, source: str) -> Table:
     """The table in `text`; refuses an empty file, ragged rows and cells that run over the end of a line."""
     if "\0" in text:
-        line = text.count("\n", 0, text.index("\0")) + 1
-        raise Refused("the file holds binary data", f"{source}, line {line}", "Export it as a text table.")
-    kept, numbers, comments = [], [], []
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), start=1):
-        bare = line.strip()
-        if bare.startswith("#"):
-            comments.append((number, bare.lstrip("#").strip()))
-        elif bare.strip(",;\t "):
-            kept.append(line)
-            numbers.append(number)
-    if not kept:
-        raise Refused(
-            "the file holds no row of names", source, "The first row names the columns, such as x_mm,y_mm,z_mm."
-        )
-    separator = next((s for s in SEPARATORS if s in kept[0]), ",")
-    rows = _split(kept, numbers, separator, source)
-    names = tuple(name.strip() for name in rows[0])
-    width = len(names)
-    for row, number in zip(rows, numbers, strict=True):
-        if len(row) != width:
-            raise Refused(
-                f"{len(row)} cells in a table of {width} columns",
-                f"{source}, line {number}",
-                "Every row needs one cell per column; quote a cell that holds the separator.",
-            )
-    columns = tuple([cell.strip() for cell in column] for column in zip(*rows[1:], strict=True))
-    return Table(
-        names=names,
-        cells=columns or tuple([] for _ in names),
-        line=np.array(numbers[1:], dtype=int),
-        comments=tuple(comments),
-        names_line=numbers[0],
-        separator=separator,
-        source=source,
-    )
+        raise Refused("table-binary", f"{source}, line {text.count(chr(10), 0, text.index(chr(0))) + 1}")
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
+    comments: list[tuple[int, str]] = []
+    numbers = array("q")
+    names, separator, cells = (), ",", Cells(0)
+    for lines, where in _chunks(text, comments):
+        if not names:
+            separator = next((s for s in SEPARATORS if s in lines[0]), ",")
+        rows = _rows(lines, where, separator, source)
+        if not names:
+            names = tuple(name.strip() for name in rows.pop(0))
+            if len(names) > MAX_COLUMNS:
+                raise Refused("table-too-wide", f"{source}, line {where[0]}", columns=len(names), limit=MAX_COLUMNS)
+            cells = Cells(len(names))
+        if any(len(row) != len(names) for row in rows):
+            i, row = next((i, r) for i, r in enumerate(rows, start=len(lines) - len(rows)) if len(r) != len(names))
+            raise Refused("table-ragged", f"{source}, line {where[i]}", cells=len(row), columns=len(names))
+        if rows:
+            cells.add(rows)
+        numbers.extend(where)
+    if not names:
+        raise Refused("table-empty", source)
+    line = np.array(numbers[1:], dtype=int)
+    return Table(names, cells, line, tuple(comments), numbers[0], separator, source)
 
 
-def _split(kept, numbers, separator, source):
-    reader = csv.reader(kept, delimiter=separator, skipinitialspace=True)
-    rows = []
+def _chunks(text: str, comments: list) -> Iterator[tuple[list[str], Sequence[int]]]:
+    """(lines that are rows, their numbers), a piece of the text at a time; comments are put aside."""
+    number, start = 1, 0
+    while start <= len(text):
+        end = text.find("\n", start + _CHUNK)
+        end = len(text) if end < 0 else end
+        lines = text[start:end].split("\n")
+        where: Sequence[int] = range(number, number + len(lines))
+        begins = [line.strip(",;\t ")[:1] for line in lines]
+        number, start = number + len(lines), end + 1
+        if "" in begins or "#" in begins or any(b.isspace() for b in set(begins)):
+            kept = []
+            for n, line in zip(where, lines):
+                bare = line.strip()
+                if bare.startswith("#"):
+                    comments.append((n, bare.lstrip("#").strip()))
+                elif bare.strip(",;\t "):
+                    kept.append((n, line))
+            if not kept:
+                continue
+            where, lines = zip(*kept)
+        yield list(lines), where
+
+
+def _rows(lines: list[str], where: Sequence[int], separator: str, source: str) -> list[list[str]]:
+    """The cells of every line; refuses a quoted cell that runs over the end of its line."""
+    reader = csv.reader([*lines, ""], delimiter=separator, skipinitialspace=True)  # an open quote takes the last line
+    rows: list[list[str]] = []
     try:
-        for row in reader:
-            rows.append(row)
-            if reader.line_num != len(rows):
-                raise Refused(
-                    "a quoted cell runs over the end of the line",
-                    f"{source}, line {numbers[len(rows) - 1]}",
-                    "Close the quotation mark on the same line.",
-                )
+        rows.extend(reader)
     except csv.Error as error:
-        raise Refused(str(error), f"{source}, line {numbers[min(len(rows), len(numbers) - 1)]}") from None
+        raise Refused("table-cell", f"{source}, line {where[min(len(rows), len(where) - 1)]}", why=str(error)) from None
+    if len(rows) != len(lines) + 1:
+        counted = csv.reader([*lines, ""], delimiter=separator, skipinitialspace=True)
+        at = next(i for i, _ in enumerate(counted) if counted.line_num != i + 1)
+        raise Refused("cell-over-line-end", f"{source}, line {where[at]}")
+    rows.pop()
     return rows
 
 

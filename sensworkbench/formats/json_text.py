@@ -35,11 +35,11 @@ class _Parser:
 
         return bisect_left(self._newlines, at) + 1
 
-    def refuse(self, at: int, what: str, path: tuple = (), do: str = ""):
+    def refuse(self, at: int, code: str, path: tuple = (), **fields):
         where = f"{self.name}, line {self.line(at)}"
         if path:
             where += f", {path_text(path)}"
-        raise Refused(what, where, do)
+        raise Refused(code, where, **fields)
 
     def space(self, at: int) -> int:
         return _SPACE.match(self.text, at).end()
@@ -48,7 +48,7 @@ class _Parser:
         """(value, end) of the value at `at`."""
         text = self.text
         if len(path) > DEPTH:
-            self.refuse(at, f"is nested deeper than {DEPTH}", path[:3])
+            self.refuse(at, "json-too-deep", path[:3], limit=DEPTH)
         self.lines[path] = self.line(at)
         here = text[at : at + 1]
         if here == "{":
@@ -64,18 +64,18 @@ class _Parser:
         if word and here != "-" and word.group() in _WORDS:
             return _WORDS[word.group()], word.end()
         if word and word.group().lower() in ("nan", "infinity", "inf"):
-            self.refuse(
-                at, f"{here if here == '-' else ''}{word.group()} is not a number", path, "Give a finite number."
-            )
-        self.refuse(at, f"{text[at : at + 20]!r} is not JSON" if here else "the file ends too early", path)
+            self.refuse(at, "json-not-a-number", path, word=f"{here if here == '-' else ''}{word.group()}")
+        if here:
+            self.refuse(at, "json-not-json", path, text=short(text[at : at + 20]))
+        self.refuse(at, "json-ends", path)
 
     def number(self, match, at: int, path: tuple):
         digits = match.group()
         if len(digits) > NUMBER_DIGITS:
-            self.refuse(at, f"a number of {len(digits)} digits", path, "Give a finite number.")
+            self.refuse(at, "json-digits", path, count=len(digits))
         value = float(digits)
         if not math.isfinite(value):
-            self.refuse(at, f"{digits[:20]} is out of range", path, "Give a finite number.")
+            self.refuse(at, "json-range", path, number=digits[:20])
         if match.group(1) or match.group(2):
             return value
         return int(digits) if abs(value) < 2**53 else value
@@ -84,9 +84,9 @@ class _Parser:
         try:
             value, end = scanstring(self.text, at + 1, True)
         except json.JSONDecodeError as error:
-            self.refuse(error.pos, f"this text is not JSON ({error.msg.lower()})", path)
+            self.refuse(error.pos, "json-text", path, why=error.msg.lower())
         if any("\ud800" <= c <= "\udfff" for c in value):
-            self.refuse(at, "this text holds half a character", path)
+            self.refuse(at, "json-half-character", path)
         return value, end
 
     def object(self, at: int, path: tuple):
@@ -96,14 +96,14 @@ class _Parser:
             return result, at + 1
         while True:
             if self.text[at : at + 1] != '"':
-                self.refuse(at, "a name in double quotes is missing", path)
+                self.refuse(at, "json-name-missing", path)
             key, end = self.string(at, path)
             if key in result:
                 first = self.lines[(*path, key)]
-                self.refuse(at, f"{short(key)} stands twice, first in line {first}", (*path, key), "Keep one.")
+                self.refuse(at, "json-key-twice", (*path, key), key=short(key), line=first)
             end = self.space(end)
             if self.text[end : end + 1] != ":":
-                self.refuse(end, f"a colon is missing after {short(key)}", path)
+                self.refuse(end, "json-colon", path, key=short(key))
             result[key], end = self.value(self.space(end + 1), (*path, key))
             self.lines[(*path, key)] = self.line(at)
             at, closed = self.next(end, "}", path)
@@ -128,7 +128,9 @@ class _Parser:
         if mark == close:
             return at + 1, True
         if mark != ",":
-            self.refuse(at, f"a comma or {close} is missing" if mark else "the file ends too early", path)
+            if mark:
+                self.refuse(at, "json-comma", path, close=close)
+            self.refuse(at, "json-ends", path)
         return self.space(at + 1), False
 
 
@@ -227,16 +229,158 @@ class Place:
 
 
 def parse(text: str, name: str = "text") -> Place:
-    """Parse strictly; the result's `value` is plain Python data.  Refuses with `name`, line and path."""
+    """Parse strictly; the result's `value` is plain Python data.  Refuses with `name`, line and path.
+
+    Python's own parser, which is fast, does the work where it finds nothing; what it stumbles over is read again by the
+    one above, which knows where everything stands.
+    """
+    if not text.strip(" \t\n\r"):
+        raise Refused("json-empty", name)
+    try:
+        deep = _depth(text) > DEPTH
+        if not deep and not _half_characters(text):
+            return Place(_FAST.decode(text), (), _Lines(text), name)
+    except (_NotPlain, ValueError, RecursionError):
+        pass
+    if deep and len(text) > SLOW_LIMIT:
+        raise Refused("json-too-deep", name, limit=DEPTH)
+    if len(text) > SLOW_LIMIT:
+        _refuse_large(text, name)
+    return _parse_slowly(text, name)
+
+
+def _parse_slowly(text: str, name: str) -> Place:
     parser = _Parser(text, name)
-    start = parser.space(0)
-    if start == len(text):
-        raise Refused("the file is empty", name)
-    value, end = parser.value(start, ())
+    value, end = parser.value(parser.space(0), ())
     end = parser.space(end)
     if end != len(text):
-        parser.refuse(end, "there is more after the end of the JSON text")
+        parser.refuse(end, "json-trailing")
     return Place(value, (), parser.lines, name)
+
+
+SLOW_LIMIT = 2**20  # characters that the parser with places is asked for
+
+
+class _NotPlain(ValueError):
+    """Found by the fast parser: a file that the slow one refuses.  text : what to look for."""
+
+    def __init__(self, code: str, text: str, **fields):
+        super().__init__(code)
+        self.code, self.text, self.fields = code, text, fields
+
+
+def _checked_int(digits: str):
+    if len(digits) > NUMBER_DIGITS:
+        raise _NotPlain("json-digits", digits, count=len(digits))
+    value = float(digits)
+    if not math.isfinite(value):
+        raise _NotPlain("json-range", digits, number=digits[:20])
+    return int(digits) if abs(value) < 2**53 else value
+
+
+def _checked_float(digits: str) -> float:
+    if len(digits) > NUMBER_DIGITS:
+        raise _NotPlain("json-digits", digits, count=len(digits))
+    value = float(digits)
+    if not math.isfinite(value):
+        raise _NotPlain("json-range", digits, number=digits[:20])
+    return value
+
+
+def _no_constant(word: str):
+    raise _NotPlain("json-not-a-number", word, word=word)
+
+
+def _unequal_keys(pairs: list) -> dict:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        seen: set[str] = set()
+        key = next(k for k, _ in pairs if k in seen or seen.add(k))
+        raise _NotPlain("json-key-twice", json.dumps(key, ensure_ascii=False), key=short(key), line="?")
+    return found
+
+
+_FAST = json.JSONDecoder(
+    object_pairs_hook=_unequal_keys, parse_int=_checked_int, parse_float=_checked_float, parse_constant=_no_constant
+)
+_BRACKET = re.compile(r'[\[\]{}]|"[^"\\]*(?:\\.[^"\\]*)*"', re.DOTALL)
+_PAIR = re.compile(r"\\u[dD][89abAB][0-9a-fA-F]{2}\\u[dD][c-fC-F][0-9a-fA-F]{2}")
+
+
+def _depth(text: str) -> int:
+    """How deep a text nests, as far as `DEPTH` and one more."""
+    depth = deepest = 0
+    for match in _BRACKET.finditer(text):
+        mark = match.group()
+        if mark in "[{":
+            depth += 1
+            if depth > deepest:
+                deepest = depth
+                if deepest > DEPTH:
+                    break
+        elif mark in "]}":
+            depth -= 1
+    return deepest
+
+
+def _half_characters(text: str) -> bool:
+    """Whether half of a pair of escapes may stand alone."""
+    return any(half in text and half in _PAIR.sub("", text) for half in ("\\ud", "\\uD"))
+
+
+def _refuse_large(text: str, name: str) -> None:
+    """Refuse a long text that the fast parser did not take, with the line of the cause."""
+    try:
+        _FAST.decode(text)
+    except _NotPlain as found:
+        at = text.find(found.text)
+        if found.code == "json-key-twice":
+            line = text.count("\n", 0, at) + 1
+            found.fields["line"] = line
+            at = text.find(found.text, at + 1)
+        raise Refused(found.code, f"{name}, line {text.count(chr(10), 0, max(at, 0)) + 1}", **found.fields) from None
+    except json.JSONDecodeError as error:
+        raise Refused("json-syntax", f"{name}, line {error.lineno}", why=error.msg.lower()) from None
+    except (ValueError, RecursionError):
+        pass
+    raise Refused("json-too-large", name, limit=f"{SLOW_LIMIT / 2**20:g}")
+
+
+class _Lines:
+    """The line of a path in a text that the fast parser has read, found when it is asked for."""
+
+    def __init__(self, text: str):
+        self._text = text
+
+    def get(self, path: tuple):
+        """The line in which the value at `path` begins (of a member of an object, its name), or None."""
+        text, at = self._text, _SPACE.match(self._text, 0).end()
+        start = at
+        try:
+            for step in path:
+                start, at = _member(text, at, step)
+        except (KeyError, IndexError, ValueError):
+            return None
+        return text.count("\n", 0, start) + 1
+
+
+def _member(text: str, at: int, step) -> tuple[int, int]:
+    """(where member `step` of the object or list at `at` begins, where its value does)."""
+    position, count = _SPACE.match(text, at + 1).end(), 0
+    while True:
+        start = position
+        if text[at] == "{":
+            key, position = scanstring(text, position + 1, True)
+            position = _SPACE.match(text, _SPACE.match(text, position).end() + 1).end()
+        else:
+            key = count
+        if key == step:
+            return start, position
+        _, position = _FAST.raw_decode(text, position)
+        position = _SPACE.match(text, position).end()
+        if text[position] != ",":
+            raise KeyError(step)
+        position, count = _SPACE.match(text, position + 1).end(), count + 1
 
 
 def dumps(data: Mapping) -> str:

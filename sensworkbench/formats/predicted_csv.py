@@ -29,11 +29,7 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
     if error.shape != (table.rows, 3) or not np.array_equal(np.sort(positions.line), table.line):
         raise Refused("the predictions do not belong to this file", table.source, "Predict again from this file.")
     order = np.argsort(positions.line)
-    decimal_comma = table.separator != "," and any(
-        csv_table.is_number(a) and not csv_table.is_number(b)
-        for j in range(len(table.names))
-        for a, b in zip(table.text(j), table.cells[j], strict=True)
-    )
+    decimal_comma = any(_has_decimal_comma(table, j) for j in range(len(table.names)))
     number = (lambda v: f"{v:.6f}".replace(".", ",")) if decimal_comma else (lambda v: f"{v:.6f}")
     ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
     results = {*ERROR, "extrapolated"}
@@ -55,6 +51,14 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
     ]
     with staged_file(path, "predict") as work:
         write_text(work, "\n".join(lines) + "\n")
+
+
+def _has_decimal_comma(table: csv_table.Table, column: int) -> bool:
+    """Whether a cell of the column is a number with a decimal comma."""
+    if not table.comma(column):
+        return False
+    cells = (c for block in table.cells.blocks(column) for c in block if "," in c)
+    return any(csv_table.is_number(c.replace(",", ".")) for c in cells)
 
 
 def _quoted(cell: str, separator: str) -> str:

@@ -19,6 +19,7 @@ from sensworkbench.core.refusal import Refused
 from . import column_names, csv_table
 from .column_names import DIRECTION, ERROR, NORMAL, TOOL
 from .csv_table import Table
+from .json_text import short
 from .predicted_csv import save_predicted
 from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
 from .readings_order import approach_directions, backwards, time_order
@@ -28,6 +29,7 @@ __all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_pred
 THREE_AXES = tuple(linear(k, u, (0, 0, 0), (0, 1)) for k, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))))
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
 FEW_ROWS = 12
+NOT_DRIVERS = frozenset((*ERROR, *NORMAL, "reading", "u"))
 MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
 
 
@@ -63,6 +65,7 @@ class _Reader:
         self.run = None
         self.answers: dict[str, tuple[str, int]] = {}
         self.column_of: dict[str, int] = {}
+        self.commas: dict[bool, int] = {}  # decimal comma or point -> the first column that has it
 
     # -- the two results -----------------------------------------------------------------------------------------
     def readings(self) -> Readings:
@@ -122,15 +125,18 @@ class _Reader:
         for name in (*theirs, *ignored):
             if name not in table.names:
                 raise Refused(
-                    f"the mapping names a column {name!r} that the file lacks",
+                    f"the mapping names a column {short(name)} that the file lacks",
                     f"{table.source}, line {table.names_line}",
-                    f"The file has {', '.join(n for n in table.names if n)}.",
+                    f"The file has {_some_names(table.names)}.",
                 )
         self._read_answers(header)
         for j, written in enumerate(table.names):
             if written in ignored:
                 self._note(
-                    "info", "ignored-column", f"column {written!r} is ignored, as the mapping asks", table.names_line
+                    "info",
+                    "ignored-column",
+                    f"column {short(written)} is ignored, as the mapping asks",
+                    table.names_line,
                 )
                 continue
             self._read_column(j, theirs.get(written, written), measured)
@@ -149,8 +155,15 @@ class _Reader:
             self._refuse_empty(base)
         if measured and table.rows == 0:
             raise Refused("the file holds no readings", table.source, "Give rows below the names.")
+        self._check_decimals()
         self._positions_answer()
         self._check_directions()
+
+    def _check_decimals(self) -> None:
+        if len(self.commas) == 2:
+            names = [short(self.table.names[self.commas[comma]]) for comma in (True, False)]
+            text = "column {} has decimal commas and column {} decimal points: check that both are meant".format(*names)
+            self._note("warning", "decimal-signs", text, self.table.names_line)
 
     def _read_answers(self, header: Mapping) -> None:
         table = self.table
@@ -164,7 +177,7 @@ class _Reader:
 
     def _refuse_twice(self, base: str, where: str) -> None:
         if base in self.values or base in self.categories or (base == "run" and self.run is not None):
-            raise Refused(f"there is a second column for {base!r}", where, "Keep or rename one of them.")
+            raise Refused(f"there is a second column for {short(base)}", where, "Keep or rename one of them.")
 
     def _read_column(self, j: int, written: str, measured: bool) -> None:
         table = self.table
@@ -182,18 +195,22 @@ class _Reader:
             self._report_empty(base, [not c for c in table.cells[j]], "these rows are a run without a name")
             return
         if not measured and base in (*ERROR, *NORMAL, "reading", "u"):
-            self._note("info", "reading-ignored", f"column {written!r} is not needed for positions", table.names_line)
+            self._note(
+                "info", "reading-ignored", f"column {short(written)} is not needed for positions", table.names_line
+            )
             return
         if name.kind == "unknown" and self._is_category(j, written):
             self.categories[base] = np.array(table.cells[j], dtype=str)
             return
         values = table.numbers(j)
+        if table.comma(j) or table.cells.holds(j, "."):
+            self.commas.setdefault(table.comma(j), j)
         with np.errstate(over="ignore"):
             values = name.convert(values)
         self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
         self._refuse_large(name, values, lambda row: table.place(row, j))
         if table.rows and np.isnan(values).all() and base not in self.places:
-            self._note("warning", "empty-column", f"column {written!r} is empty and left out", table.names_line)
+            self._note("warning", "empty-column", f"column {short(written)} is empty and left out", table.names_line)
             return
         self.values[base], self.units[base] = values, name.unit
         if not name.known:
@@ -201,7 +218,7 @@ class _Reader:
             self._note(
                 "info",
                 "unknown-column",
-                f"column {written!r} is kept as candidate driver {base!r}{unit}",
+                f"column {short(written)} is kept as candidate driver {short(base)}{unit}",
                 table.names_line,
             )
 
@@ -213,26 +230,30 @@ class _Reader:
         numbers = sum(1 for c in text if csv_table.is_number(c))
         if numbers > 0.5 * len(text):
             raise Refused(
-                f"{self.table.cells[j][row]!r} is not a number, though {numbers} cells of this column are",
+                f"{short(self.table.cells[j][row])} is not a number, though {numbers} cells of this column are",
                 self.table.place(row, j),
                 "Correct the cell, or make every cell of the column a text.",
             )
-        self._note("info", "category", f"column {written!r} holds text and is a category", self.table.names_line)
+        self._note("info", "category", f"column {short(written)} holds text and is a category", self.table.names_line)
         return True
 
     def _refuse_infinite(self, j: int, values: np.ndarray, nan_is_empty: bool) -> None:
         table = self.table
         bad = np.isinf(values)
-        written = [r for r in np.flatnonzero(np.isnan(values)) if table.cells[j][r]]
+        empty = np.flatnonzero(np.isnan(values))
+        cells = table.cells[j] if empty.size else []
+        written = [r for r in empty if cells[r]]
         if nan_is_empty and written:
             lines = _lines(table.line[written])
-            text = f"column {table.names[j]!r} says {table.cells[j][written[0]]!r} in {lines}: taken as not read"
+            text = f"column {short(table.names[j])} says {short(cells[written[0]])} in {lines}: taken as not read"
             self._note("warning", "nan-reading", text, int(table.line[written[0]]))
         elif written:
             bad[written] = True
         if bad.any():
             row = int(np.argmax(bad))
-            raise Refused(f"{table.cells[j][row]!r} is not a finite number", table.place(row, j), "Correct the cell.")
+            raise Refused(
+                f"{short(table.cells[j][row])} is not a finite number", table.place(row, j), "Correct the cell."
+            )
 
     def _refuse_large(self, name: column_names.Name, values: np.ndarray, place) -> None:
         limit = column_names.LARGEST_LENGTH if name.kind == "length" and name.known else column_names.LARGEST
@@ -252,7 +273,7 @@ class _Reader:
         rows = np.flatnonzero(missing)
         if rows.size:
             lines = self.table.line[rows]
-            text = f"column {self.table.names[self.column_of[base]]!r} is empty in {_lines(lines)}: {meaning}"
+            text = f"column {short(self.table.names[self.column_of[base]])} is empty in {_lines(lines)}: {meaning}"
             self._note("warning", "empty-cell", text, int(lines[0]))
 
     # -- conventions ---------------------------------------------------------------------------------------------
@@ -343,7 +364,7 @@ class _Reader:
 
     # -- rows ----------------------------------------------------------------------------------------------------
     def _drivers(self) -> list[str]:
-        return [b for b in self.values if b not in (*self.places, *ERROR, *NORMAL, "reading", "u")]
+        return [b for b in self.values if b not in self.places and b not in NOT_DRIVERS]
 
     def _kept_rows(self, value: np.ndarray) -> np.ndarray:
         keep = np.isfinite(value).any(axis=1)
@@ -384,7 +405,7 @@ class _Reader:
         return keep
 
     def _finish(self, keep, derive, point, sense, value, u, kind) -> Readings:
-        columns = {b: v[keep] for b, v in self.values.items() if b in self.places or b in self._drivers()}
+        columns = {b: v[keep] for b, v in self.values.items() if b in self.places or b not in NOT_DRIVERS}
         tool = np.stack([columns.pop(a, np.zeros(int(keep.sum()))) for a in TOOL], axis=1)
         has_tool = any(a in self.values for a in TOOL)
         categories = {k: v[keep] for k, v in self.categories.items()}
@@ -436,6 +457,12 @@ class _Reader:
                 "direction-derived",
                 f"{', '.join(derived)} not given: derived from successive positions in the order of {order}",
             )
+
+
+def _some_names(names) -> str:
+    """Some of the names of a table, as they can stand in a message."""
+    given = [n if len(n) <= 20 else n[:19] + "…" for n in names if n]
+    return ", ".join(given[:6]) + (f" and {len(given) - 6} more" if len(given) > 6 else "")
 
 
 def _lines(lines) -> str:

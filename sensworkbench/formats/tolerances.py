@@ -27,7 +27,7 @@ from .machine_json import tolerances as from_json
 
 FORMAT, VERSION = "sens-tolerances", 1
 COLUMNS = ("symbol", "lower", "upper", "unit", "distribution", "sigma")
-_SHOWN = 8  # findings that one refusal lists
+_SHOWN = 5  # further findings whose places one refusal lists
 _LIMIT = 2 * 2**20
 
 
@@ -86,38 +86,39 @@ def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
     """symbol -> Tolerance of a table.  All findings are collected and refused together."""
     lines = [(n, line) for n, line in enumerate(text.splitlines(), start=1) if line.strip() and line.lstrip()[0] != "#"]
     if not lines:
-        raise Refused("the file is empty", name, f"Its first row names the columns: {', '.join(COLUMNS)}.")
+        raise Refused("tolerance-table-empty", name, columns=list(COLUMNS))
     first, header = lines[0]
     mark = max(",;\t", key=header.count)
     names = [c.strip().lower() for c in _cells(header, mark, f"{name}, line {first}")]
     for column in names:
         if column not in COLUMNS:
-            raise Refused(f"unknown column {short(column)}", f"{name}, line {first}", f"Known: {', '.join(COLUMNS)}.")
+            raise Refused("tolerance-column", f"{name}, line {first}", column=short(column), columns=list(COLUMNS))
         if names.count(column) > 1:
-            raise Refused(f"column {short(column)} stands twice", f"{name}, line {first}", "Keep one.")
+            raise Refused("tolerance-column-twice", f"{name}, line {first}", column=short(column))
     for column in COLUMNS[:3]:
         if column not in names:
-            raise Refused(f"column {short(column)} is missing", f"{name}, line {first}")
+            raise Refused("tolerance-column-missing", f"{name}, line {first}", column=column, columns=list(COLUMNS))
     found: dict[str, Tolerance] = {}
     findings: list[Refused] = []
+    signs: dict[str, str] = {}
     for number, line in lines[1:]:
         where = f"{name}, line {number}"
         try:
-            symbol, tolerance = _row(names, _cells(line, mark, where), where)
+            cells = _cells(line, mark, where)
+            _check_decimals(names, cells, mark, where, signs)
+            symbol, tolerance = _row(names, cells, where)
             if symbol in found:
-                raise Refused(f"{symbol} stands twice", f"{where}, column symbol", "Keep one.")
+                raise Refused("tolerance-twice", f"{where}, column symbol", symbol=symbol)
             found[symbol] = tolerance
         except Refused as refused:
             findings.append(refused)
     if findings:
-        rest = f"\n... and {len(findings) - _SHOWN} more." if len(findings) > _SHOWN else ""
-        first_one, *others = findings[:_SHOWN]
-        words = "\n".join(f.message for f in others)
-        raise Refused(
-            first_one.what, first_one.where, (first_one.do + ("\n" + words if words else "") + rest).strip(" ")
-        )
+        if len(findings) == 1:
+            raise findings[0]
+        places = [f.where.removeprefix(f"{name}, ") for f in findings[1 : _SHOWN + 1]]
+        raise Refused("tolerance-findings", "", first=findings[0], count=len(findings) - 1, places=places)
     if not found:
-        raise Refused("there is no tolerance below the names of the columns", name)
+        raise Refused("tolerance-none", name)
     return found
 
 
@@ -125,12 +126,29 @@ def _cells(line: str, mark: str, where: str) -> list[str]:
     try:
         return next(csv.reader([line], delimiter=mark), [])
     except csv.Error as error:
-        raise Refused(f"is no line of a table: {error}", where) from None
+        raise Refused("table-cell", where, why=str(error)) from None
+
+
+def _check_decimals(names, cells, mark: str, where: str, signs: dict[str, str]) -> None:
+    """Refuse a comma in a number where commas separate the cells, and a file with both decimal signs.
+
+    signs : decimal sign -> the first cell that has it, over the whole file.
+    """
+    for column, cell in zip(names, cells):
+        if column in ("lower", "upper", "sigma"):
+            for sign in ",.":
+                if sign in cell:
+                    if sign == mark:
+                        raise Refused("decimal-comma", f"{where}, column {column}", cell=short(cell))
+                    signs.setdefault(sign, cell)
+            if len(signs) == 2:
+                a, b = signs["."], signs[","]
+                raise Refused("decimal-mixed", f"{where}, column {column}", cell=short(a), other=short(b))
 
 
 def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance]:
     if len(cells) > len(names):
-        raise Refused(f"{len(cells)} cells under {len(names)} columns", where, "Write decimals with a point.")
+        raise Refused("tolerance-cells", where, cells=len(cells), columns=len(names))
     row = dict.fromkeys(COLUMNS, "") | {n: c.strip() for n, c in zip(names, cells)}
     c = component(row["symbol"], f"{where}, column symbol")
     unit = row["unit"] or c.unit
@@ -140,7 +158,7 @@ def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance
             place = f"{where}, column {column}"
             values[column] = parse_quantity(row[column], angular=c.angular, default_unit=unit, where=place)
         elif column != "sigma":
-            raise Refused(f"{c.symbol} has no {column} limit", f"{where}, column {column}")
+            raise Refused("tolerance-limit-missing", f"{where}, column {column}", symbol=c.symbol, limit=column)
     if values["upper"] < values["lower"]:
         words = f"upper limit {row['upper']} is below lower limit {row['lower']}"
         raise Refused(words, f"{where}, column upper", "Exchange the two limits.")

@@ -11,7 +11,7 @@ import pytest
 
 from sensworkbench import cli
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import readings_conventions, readings_csv
+from sensworkbench.formats import json_text, readings_conventions, readings_csv
 
 from .support import golden, write
 
@@ -126,3 +126,83 @@ def test_the_finite_prediction_is_written(tmp_path, capsys):
     positions = table(tmp_path, "x_mm,y_mm,z_mm\n1,1,1\n299,100,3\n")
     assert cli.main(["predict", str(machine), str(positions), "--out", str(tmp_path / "out.csv")]) == 0
     assert json.dumps(readings_csv.load_positions(tmp_path / "out.csv").points) == "2"
+
+
+# -- size --------------------------------------------------------------------------------------------------------------
+def test_a_table_of_thirty_thousand_columns_is_read_in_time(tmp_path):
+    names = ["x_mm", "y_mm", "z_mm", *(f"c{i}" for i in range(30_000))]
+    path = table(tmp_path, "\n".join(",".join(row) for row in (names, ["1"] * len(names), ["2"] * len(names))))
+    start = time.perf_counter()
+    assert len(readings_csv.load_positions(path).columns) == 30_003
+    assert time.perf_counter() - start < 20
+
+
+def test_the_time_for_a_table_grows_with_its_size(tmp_path):
+    took = []
+    for count in (20_000, 200_000):
+        path = table(tmp_path, "x_mm,y_mm,z_mm\n" + count * "1,2,3\n")
+        start = time.perf_counter()
+        assert readings_csv.load_positions(path).points == count
+        took.append(time.perf_counter() - start)
+    assert took[1] < 30 * took[0] + 0.5
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        (",".join(f"c{i}" for i in range(100_001)) + "\n", "table-too-wide"),
+        ('x_mm,y_mm,z_mm\n1,2,"3\n4,5,6\n', "cell-over-line-end"),
+        ('x_mm,y_mm,z_mm\n1,2,"3', "cell-over-line-end"),
+        ("x_mm,y_mm,z_mm\n1,2," + 200_000 * "3" + "\n", "table-cell"),
+        ("x_mm,y_mm,z_mm\n1,2," + 5_000 * "a" + "\n", "cell-not-a-number"),
+        ("x_mm;y_mm;z_mm\n1,000;2;3\n999.5;2;3\n", "decimal-mixed"),
+        ("x_mm,y_mm,z_mm\n1_000,2,3\n", "cell-not-a-number"),
+    ],
+)
+def test_a_table_is_refused_in_few_words(tmp_path, text, code):
+    with pytest.raises(Refused) as refused:
+        readings_csv.load_positions(table(tmp_path, text))
+    assert refused.value.code == code
+    assert len(refused.value.message) <= 300 + len(str(tmp_path))
+
+
+def test_two_decimal_signs_in_two_columns_are_said(tmp_path):
+    found = readings_csv.load_positions(table(tmp_path, "x_mm;y_mm;z_mm\n1,5;2.5;3\n2,5;3.5;3\n"))
+    assert found.q.tolist() == [[1.5, 2.5, 3], [2.5, 3.5, 3]]
+    assert "decimal-signs" in {f.code for f in found.findings}
+
+
+LARGE = {
+    "a list": '{"x-a": [' + ",".join(["1"] * 400_000) + "]}",
+    "a million brackets": 2_000_000 * "[",
+    "a late twin": "{" + ",\n".join(f'"x-{i}":{i}' for i in range(200_000)) + ',\n"x-5": 1}',
+    "a late word": "[" + ",\n".join(["1"] * 800_000) + ",\nNaN]",
+    "a late fault": "[" + ",\n".join(["1"] * 800_000) + ",,]",
+}
+
+
+@pytest.mark.parametrize("case", LARGE)
+def test_a_large_json_text_takes_seconds_and_a_fault_in_it_has_a_line(case):
+    start = time.perf_counter()
+    try:
+        json_text.parse(LARGE[case], "large.json")
+    except Refused as refused:
+        assert case != "a list"
+        assert case == "a million brackets" or "large.json, line" in refused.where
+        assert len(refused.message) <= 300
+    else:
+        assert case == "a list"
+    assert time.perf_counter() - start < 10
+
+
+def test_both_parsers_of_json_agree():
+    texts = [
+        '{"a": [1, 2.5, -0, 1e3, true, false, null, "é\\u00e9\\ud83d\\ude00"], "b": {"c": {}}}',
+        " [ ] ",
+        "9007199254740993",
+    ]
+    for text in texts:
+        assert json_text.parse(text).value == json_text._parse_slowly(text, "").value
+    place = json_text.parse('{"a": [1,\n2,\n{"b":\n5}]}', "t")
+    assert place["a"].elements()[2]["b"].where == "t, line 3, a[2].b"
+    assert place["a"].elements()[1].where == "t, line 2, a[1]"

@@ -49,9 +49,23 @@ def test_all_findings_are_listed_with_line_and_column():
     text = "\n".join(["symbol,lower,upper,unit", *rows])
     with pytest.raises(Refused) as caught:
         tolerances.loads_csv(text, "t.csv")
-    lines = caught.value.message.splitlines()
-    starts = ["line 2, column upper", "line 3, column symbol", "line 5, column lower", "line 6, column lower"]
-    assert [line.split(":")[0] for line in lines] == [f"t.csv, {s}" for s in [*starts, "line 7, column lower"]]
+    assert caught.value.message == (
+        "t.csv, line 2, column upper: upper limit 0 is below lower limit 1. Exchange the two limits. 4 more findings: "
+        "line 3, column symbol, line 5, column lower, line 6, column lower, line 7, column lower."
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ('symbol,lower,upper\nEXX,0,"1,000"\n', "decimal-comma"),
+        ("symbol;lower;upper\nEXX;-0,5;0,5\nEYY;0.5;1\n", "decimal-mixed"),
+    ],
+)
+def test_a_decimal_sign_that_may_be_another_is_refused(text, code):
+    with pytest.raises(Refused) as caught:
+        tolerances.loads_csv(text, "t.csv")
+    assert caught.value.code == code
 
 
 @pytest.mark.parametrize(
