@@ -63,7 +63,7 @@ class Window:
         from pivy import coin
 
         from sensworkbench.document.examples import make_example
-        from sensworkbench.gui import colours, commands, messages, qt, review
+        from sensworkbench.gui import colours, display, messages, qt, review
 
         self.pump = qt.pump
         Gui.activateWorkbench("SensWorkbench")
@@ -74,7 +74,7 @@ class Window:
         view = Gui.getDocument(self.doc.Name).activeView()
         view.viewIsometric()
         view.fitAll()
-        messages.change(self.doc, "Sensitivity", lambda: commands.compute_and_colour(self.machine))
+        messages.change(self.doc, "Sensitivity", lambda: display.compute_and_colour(self.machine))
         if beside:
             review.show(self.machine)
         self._parts = [t.obj for group in colours.targets(self.machine).values() for t in group]

@@ -101,8 +101,8 @@ def build(folder, structure: str) -> None:
     machine = examples.make_example(doc, structure)
     doc.recompute()
     if App.GuiUp:
-        commands = importlib.import_module("sensworkbench.gui.commands")
-        commands.compute_and_colour(machine)
+        display = importlib.import_module("sensworkbench.gui.display")
+        display.compute_and_colour(machine)
         _take_pictures(doc, folder)
     else:
         found = importlib.import_module("sensworkbench.document.results").compute(machine)

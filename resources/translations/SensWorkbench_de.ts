@@ -54,7 +54,7 @@
       <translation>Hinzufügen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Add effects</source>
       <translation>Effekte hinzufügen</translation>
     </message>
@@ -319,19 +319,9 @@
       <translation>Jeder Punkt: der Wert, den ein Messwert von der Komponente verlangt, wenn alles andere abgezogen ist.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Edit axis…</source>
-      <translation>Achse bearbeiten…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit machine</source>
       <translation>Maschine bearbeiten</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Edit machine…</source>
-      <translation>Maschine bearbeiten…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -339,7 +329,7 @@
       <translation>Effekt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>Effekt ein oder aus</translation>
     </message>
@@ -349,7 +339,7 @@
       <translation>Abweichung</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error map</source>
       <translation>Fehlerkarte</translation>
     </message>
@@ -394,19 +384,9 @@
       <translation>Exponent</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Export report…</source>
-      <translation>Bericht ausgeben…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export tolerances</source>
       <translation>Toleranzen ausgeben</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Export trace report…</source>
-      <translation>Bericht der Ursachensuche exportieren…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -442,11 +422,6 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fit</source>
       <translation>Anpassung</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Fit declared errors…</source>
-      <translation>Angesetzte Fehler anpassen…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -529,6 +504,11 @@
       <translation>Grobe Ausreißer, weggelassen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Guide of Sens Workbench</source>
+      <translation>Anleitung zu Sens Workbench</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Half-width of the play</source>
       <translation>Halbe Breite des Spiels</translation>
@@ -559,12 +539,12 @@
       <translation>Zuerst die Teile der Maschine importieren oder zeichnen, oder mit „Beispielmaschine“ beginnen.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import readings</source>
       <translation>Messwerte importieren</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>Import readings first.</source>
       <translation>Zuerst Messwerte importieren.</translation>
     </message>
@@ -592,11 +572,6 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog {name}</source>
       <translation>{name} verfahren</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Jog…</source>
-      <translation>Verfahren…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -649,7 +624,7 @@
       <translation>Kleinster, größter Wert</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Machine</source>
       <translation>Maschine</translation>
     </message>
@@ -794,11 +769,6 @@
       <translation>Objekte dieses Dokuments sind beschädigt: Sens &gt; Maschine reparieren… behebt das.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>On or off</source>
-      <translation>Ein oder aus</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>Eine Position</translation>
@@ -809,7 +779,7 @@
       <translation>Orientierung des Werkzeugs</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original colours</source>
       <translation>Ursprüngliche Farben</translation>
     </message>
@@ -1004,11 +974,6 @@
       <translation>Maschine reparieren</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Repair machine…</source>
-      <translation>Maschine reparieren…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>Bericht…</translation>
@@ -1019,7 +984,7 @@
       <translation>Residuum zurückgehaltener Messwerte</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Residuals</source>
       <translation>Residuen</translation>
     </message>
@@ -1037,11 +1002,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Reversed</source>
       <translation>Umgekehrt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Review…</source>
-      <translation>Durchsprache…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1104,7 +1064,7 @@
       <translation>Sens &gt; Maschine reparieren… zeigt alle und repariert sie. Ihre Daten bleiben erhalten.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>Sensitivität</translation>
     </message>
@@ -1137,11 +1097,6 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Show result…</source>
-      <translation>Ergebnis zeigen…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1244,7 +1199,7 @@
       <translation>Sᵀ dann</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
       <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
     </message>
@@ -1404,11 +1359,6 @@
       <translation>Toleranzen von {name}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Tolerances…</source>
-      <translation>Toleranzen…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>Tool point</source>
       <translation>Werkzeugpunkt</translation>
@@ -1459,14 +1409,9 @@
       <translation>Zuerst die Ursache der Messwerte suchen und das Gefundene hinzufügen.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>Trace the readings first.</source>
       <translation>Zuerst die Ursache der Messwerte suchen.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Trace…</source>
-      <translation>Ursache suchen…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1604,7 +1549,7 @@
       <translation>Was die angesetzten Fehler übrig lassen, hängt ab von {columns}.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
       <translation>Was die Karte zeigt, wird in der Auswertung unter „Einstellungen“ gewählt</translation>
     </message>
@@ -1984,7 +1929,7 @@
       <translation>Last</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>no effect is selected</source>
       <translation>kein Effekt ist gewählt</translation>
     </message>
@@ -2004,7 +1949,7 @@
       <translation>nichts über das Rauschen hinaus</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>nothing has been traced yet</source>
       <translation>noch keine Ursache wurde gesucht</translation>
     </message>
@@ -2254,7 +2199,7 @@
       <translation>in diesem Dokument sind noch keine Teile</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>there are no readings yet</source>
       <translation>es gibt noch keine Messwerte</translation>
     </message>
@@ -2512,12 +2457,12 @@
   <context>
     <name>Sens_AddEffect</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Add Effects</source>
       <translation>Effekte hinzufügen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Adds the found effects to the machine, each under its body</source>
       <translation>Fügt der Maschine die gefundenen Effekte hinzu, jeden unter seinem Körper</translation>
     </message>
@@ -2525,12 +2470,12 @@
   <context>
     <name>Sens_EditMachine</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Changes chains, carriages, directions, reference points and travel</source>
       <translation>Ändert Ketten, Schlitten, Richtungen, Bezugspunkte und Verfahrwege</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit Machine…</source>
       <translation>Maschine bearbeiten…</translation>
     </message>
@@ -2538,12 +2483,12 @@
   <context>
     <name>Sens_ErrorMap</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error Map</source>
       <translation>Fehlerkarte</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
       <translation>Zeigt die Abweichung über dem Arbeitsraum als farbige Punkte oder Schnitt, oder blendet sie aus</translation>
     </message>
@@ -2551,12 +2496,12 @@
   <context>
     <name>Sens_Example</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Example Machine</source>
       <translation>Beispielmaschine</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes an example machine in an empty or new document</source>
       <translation>Macht eine Beispielmaschine in einem leeren oder neuen Dokument</translation>
     </message>
@@ -2564,12 +2509,12 @@
   <context>
     <name>Sens_ExampleFXYZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Gantry (FXYZ)</source>
       <translation>Portal (FXYZ)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a gantry machine: the tool carries out all three motions</source>
       <translation>Macht eine Portalmaschine: das Werkzeug führt alle drei Bewegungen aus</translation>
     </message>
@@ -2577,12 +2522,12 @@
   <context>
     <name>Sens_ExampleXYFZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a machining centre: table on cross slides, spindle on the column</source>
       <translation>Macht ein Bearbeitungszentrum: Tisch auf Kreuzschlitten, Spindel am Ständer</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Vertical Machining Centre (XYFZ)</source>
       <translation>Senkrecht-Bearbeitungszentrum (XYFZ)</translation>
     </message>
@@ -2590,12 +2535,12 @@
   <context>
     <name>Sens_ExampleYFXZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a travelling-column machine: the table moves along Y</source>
       <translation>Macht eine Fahrständermaschine: der Tisch fährt in Y</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Travelling Column (YFXZ)</source>
       <translation>Fahrständer (YFXZ)</translation>
     </message>
@@ -2603,25 +2548,38 @@
   <context>
     <name>Sens_Fit</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fit Declared Errors…</source>
       <translation>Angesetzte Fehler anpassen…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
       <translation>Passt die angesetzten Fehler an die Messwerte an: was sie erklären und was der Plan nicht unterscheidet</translation>
     </message>
   </context>
   <context>
+    <name>Sens_Guide</name>
+    <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Guide</source>
+      <translation>Anleitung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Shows the guide; in a panel of Sens Workbench F1 shows the section about it</source>
+      <translation>Zeigt die Anleitung (englisch); in einem Fenster von Sens Workbench zeigt F1 den Abschnitt dazu</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_ImportReadings</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import Readings…</source>
       <translation>Messwerte importieren…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe</source>
       <translation>Liest eine Tabelle gemessener Fehler: Laser, Kreisformtest, Diagonalen, Tracker oder Taster</translation>
     </message>
@@ -2629,12 +2587,12 @@
   <context>
     <name>Sens_Jog</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog…</source>
       <translation>Verfahren…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the axes and all they carry; shows the Abbe offsets as arrows</source>
       <translation>Verfährt die Achsen mit allem, was sie tragen; zeigt die Abbe-Abstände als Pfeile</translation>
     </message>
@@ -2642,12 +2600,12 @@
   <context>
     <name>Sens_Machine</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Machine from Selection…</source>
       <translation>Maschine aus Auswahl…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Makes a machine from parts: which is the bed, and which carries X, Y, Z, spindle and table</source>
       <translation>Macht aus Teilen eine Maschine: was das Bett ist und was X, Y, Z, Spindel und Tisch trägt</translation>
     </message>
@@ -2655,12 +2613,12 @@
   <context>
     <name>Sens_MachineFromAssembly</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Machine from Assembly…</source>
       <translation>Maschine aus Baugruppe…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
       <translation>Macht aus einer Baugruppe eine Maschine: ihre Schieber sind die Achsen</translation>
     </message>
@@ -2668,12 +2626,12 @@
   <context>
     <name>Sens_OriginalColours</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Gives every part the colours back that it had before</source>
       <translation>Gibt jedem Teil seine früheren Farben zurück</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>Ursprüngliche Farben</translation>
     </message>
@@ -2681,12 +2639,12 @@
   <context>
     <name>Sens_Repair</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Repair Machine…</source>
       <translation>Maschine reparieren…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Says what is wrong with the objects of a machine and mends what can be mended</source>
       <translation>Sagt, was an den Objekten einer Maschine nicht stimmt, und repariert, was sich reparieren lässt</translation>
     </message>
@@ -2694,12 +2652,12 @@
   <context>
     <name>Sens_Report</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/export.py" />
       <source>Export Report…</source>
       <translation>Bericht ausgeben…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/export.py" />
       <source>Writes the ranking as HTML with a picture of the view, and as JSON and CSV</source>
       <translation>Schreibt die Rangfolge als HTML mit Bild der Ansicht sowie als JSON und CSV</translation>
     </message>
@@ -2707,12 +2665,12 @@
   <context>
     <name>Sens_Residuals</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Residuals</source>
       <translation>Residuen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Shows the residuals before and after as arrows in the workspace, or hides them</source>
       <translation>Zeigt die Residuen vorher und nachher als Pfeile im Arbeitsraum oder verbirgt sie</translation>
     </message>
@@ -2720,12 +2678,12 @@
   <context>
     <name>Sens_Review</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Review</source>
       <translation>Durchsprache</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Shows the ranking, the components and what-if beside the model</source>
       <translation>Zeigt Rangfolge, Komponenten und Was-wäre-wenn neben dem Modell</translation>
     </message>
@@ -2733,12 +2691,12 @@
   <context>
     <name>Sens_Sensitivity</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Computes the indices of every error, colours the parts and shows the ranking</source>
       <translation>Berechnet die Indizes jeder Abweichung, färbt die Teile und zeigt die Rangfolge</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>Sensitivität</translation>
     </message>
@@ -2746,12 +2704,12 @@
   <context>
     <name>Sens_SwitchEffect</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect On or Off</source>
       <translation>Effekt ein oder aus</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Switches the selected effect off, or on again</source>
       <translation>Schaltet den gewählten Effekt aus oder wieder ein</translation>
     </message>
@@ -2759,12 +2717,12 @@
   <context>
     <name>Sens_Tables</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Export Compensation Tables…</source>
       <translation>Kompensationstabellen exportieren…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Writes the fitted errors as tables of a controller, and states what they cannot hold</source>
       <translation>Schreibt die angepassten Abweichungen als Tabellen einer Steuerung und sagt, was sie nicht enthalten können</translation>
     </message>
@@ -2772,12 +2730,12 @@
   <context>
     <name>Sens_Tolerances</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Edits limits and distribution of every error in a table</source>
       <translation>Bearbeitet Grenzen und Verteilung jeder Abweichung in einer Tabelle</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Tolerances…</source>
       <translation>Toleranzen…</translation>
     </message>
@@ -2785,12 +2743,12 @@
   <context>
     <name>Sens_Trace</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Searches for the effect that explains what the declared errors leave over</source>
       <translation>Sucht den Effekt, der erklärt, was die angesetzten Fehler übrig lassen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Trace…</source>
       <translation>Ursache suchen…</translation>
     </message>
@@ -2798,12 +2756,12 @@
   <context>
     <name>Sens_TraceReport</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Export Trace Report…</source>
       <translation>Bericht der Ursachensuche exportieren…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Writes what was found as HTML and JSON, with the augmented machine</source>
       <translation>Schreibt das Gefundene als HTML und JSON, mit der ergänzten Maschine</translation>
     </message>
@@ -2811,17 +2769,17 @@
   <context>
     <name>Workbench</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Analysis</source>
       <translation>Sens Analyse</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Closed Loop</source>
       <translation>Sens Ursachensuche</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Machine</source>
       <translation>Sens Maschine</translation>
     </message>

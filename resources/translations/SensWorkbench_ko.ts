@@ -54,7 +54,7 @@
       <translation>추가</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Add effects</source>
       <translation>효과 추가</translation>
     </message>
@@ -319,19 +319,9 @@
       <translation>각 점: 나머지를 모두 뺀 뒤 측정값이 이 성분에 요구하는 값.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Edit axis…</source>
-      <translation>축 편집…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit machine</source>
       <translation>기계 편집</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Edit machine…</source>
-      <translation>기계 편집…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -339,7 +329,7 @@
       <translation>효과</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>효과 켜기/끄기</translation>
     </message>
@@ -349,7 +339,7 @@
       <translation>오차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error map</source>
       <translation>오차 지도</translation>
     </message>
@@ -394,19 +384,9 @@
       <translation>지수</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Export report…</source>
-      <translation>보고서 내보내기…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export tolerances</source>
       <translation>공차 내보내기</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Export trace report…</source>
-      <translation>추적 보고서 내보내기…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -442,11 +422,6 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fit</source>
       <translation>피팅</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Fit declared errors…</source>
-      <translation>선언된 오차 피팅…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -529,6 +504,11 @@
       <translation>제외한 큰 이상값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Guide of Sens Workbench</source>
+      <translation>Sens Workbench 안내서</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Half-width of the play</source>
       <translation>유격의 반폭</translation>
@@ -559,12 +539,12 @@
       <translation>먼저 기계 부품을 가져오거나 그리십시오. 또는 예제 기계로 시작하십시오.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import readings</source>
       <translation>측정값 가져오기</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>Import readings first.</source>
       <translation>먼저 측정값을 가져오십시오.</translation>
     </message>
@@ -592,11 +572,6 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog {name}</source>
       <translation>{name} 조그</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Jog…</source>
-      <translation>조그…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -649,7 +624,7 @@
       <translation>최솟값, 최댓값</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Machine</source>
       <translation>기계</translation>
     </message>
@@ -794,11 +769,6 @@
       <translation>이 문서의 객체가 손상되었습니다: Sens &gt; 기계 복구…로 고칠 수 있습니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>On or off</source>
-      <translation>켜기/끄기</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>한 위치</translation>
@@ -809,7 +779,7 @@
       <translation>공구의 자세</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original colours</source>
       <translation>원래 색상</translation>
     </message>
@@ -1004,11 +974,6 @@
       <translation>기계 복구</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Repair machine…</source>
-      <translation>기계 복구…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>보고서…</translation>
@@ -1019,7 +984,7 @@
       <translation>남겨 둔 측정값의 잔차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Residuals</source>
       <translation>잔차</translation>
     </message>
@@ -1037,11 +1002,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Reversed</source>
       <translation>반대로</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Review…</source>
-      <translation>검토…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1104,7 +1064,7 @@
       <translation>Sens &gt; 기계 복구…에서 모두 확인하고 고칠 수 있습니다. 데이터는 유지됩니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>민감도</translation>
     </message>
@@ -1137,11 +1097,6 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>표시</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Show result…</source>
-      <translation>결과 보기…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1244,7 +1199,7 @@
       <translation>이후 Sᵀ</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
       <translation>표 (*.csv *.txt *.tsv);;모든 파일 (*)</translation>
     </message>
@@ -1404,11 +1359,6 @@
       <translation>{name}의 공차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/viewproviders.py" />
-      <source>Tolerances…</source>
-      <translation>공차…</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>Tool point</source>
       <translation>공구점</translation>
@@ -1459,14 +1409,9 @@
       <translation>먼저 측정값을 추적하고 찾은 효과를 추가하십시오.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>Trace the readings first.</source>
       <translation>먼저 측정값을 추적하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/residuals.py" />
-      <source>Trace…</source>
-      <translation>추적…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1604,7 +1549,7 @@
       <translation>선언된 오차가 남긴 것은 {columns}에 의존합니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
       <translation>지도에 표시할 내용은 검토 창의 설정에서 고릅니다</translation>
     </message>
@@ -1984,7 +1929,7 @@
       <translation>하중</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>no effect is selected</source>
       <translation>선택된 효과가 없습니다</translation>
     </message>
@@ -2004,7 +1949,7 @@
       <translation>잡음 이상의 것은 없음</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>nothing has been traced yet</source>
       <translation>아직 추적한 것이 없습니다</translation>
     </message>
@@ -2254,7 +2199,7 @@
       <translation>이 문서에는 아직 부품이 없습니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/current.py" />
       <source>there are no readings yet</source>
       <translation>아직 측정값이 없습니다</translation>
     </message>
@@ -2512,12 +2457,12 @@
   <context>
     <name>Sens_AddEffect</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Add Effects</source>
       <translation>효과 추가</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Adds the found effects to the machine, each under its body</source>
       <translation>발견된 효과를 각 부분 아래에 추가합니다</translation>
     </message>
@@ -2525,12 +2470,12 @@
   <context>
     <name>Sens_EditMachine</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Changes chains, carriages, directions, reference points and travel</source>
       <translation>운동 사슬, 이송체, 방향, 기준점, 이송 범위를 바꿉니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit Machine…</source>
       <translation>기계 편집…</translation>
     </message>
@@ -2538,12 +2483,12 @@
   <context>
     <name>Sens_ErrorMap</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error Map</source>
       <translation>오차 지도</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Shows the error over the workspace as coloured points or a slice, or hides it</source>
       <translation>작업 공간의 오차를 색 점이나 단면으로 표시하거나 숨깁니다</translation>
     </message>
@@ -2551,12 +2496,12 @@
   <context>
     <name>Sens_Example</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Example Machine</source>
       <translation>예제 기계</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes an example machine in an empty or new document</source>
       <translation>빈 문서나 새 문서에 예제 기계를 만듭니다</translation>
     </message>
@@ -2564,12 +2509,12 @@
   <context>
     <name>Sens_ExampleFXYZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Gantry (FXYZ)</source>
       <translation>갠트리 (FXYZ)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a gantry machine: the tool carries out all three motions</source>
       <translation>갠트리 기계를 만듭니다: 공구가 세 운동을 모두 합니다</translation>
     </message>
@@ -2577,12 +2522,12 @@
   <context>
     <name>Sens_ExampleXYFZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a machining centre: table on cross slides, spindle on the column</source>
       <translation>머시닝 센터를 만듭니다: 테이블은 십자 이송대 위, 주축은 컬럼에 있습니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Vertical Machining Centre (XYFZ)</source>
       <translation>수직형 머시닝 센터 (XYFZ)</translation>
     </message>
@@ -2590,12 +2535,12 @@
   <context>
     <name>Sens_ExampleYFXZ</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Makes a travelling-column machine: the table moves along Y</source>
       <translation>이동 컬럼 기계를 만듭니다: 테이블은 Y 방향으로 움직입니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/examples.py" />
       <source>Travelling Column (YFXZ)</source>
       <translation>이동 컬럼 (YFXZ)</translation>
     </message>
@@ -2603,25 +2548,38 @@
   <context>
     <name>Sens_Fit</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fit Declared Errors…</source>
       <translation>선언된 오차 피팅…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
       <translation>선언된 오차를 측정값에 피팅하여 설명되는 것과 구별할 수 없는 것을 보입니다</translation>
     </message>
   </context>
   <context>
+    <name>Sens_Guide</name>
+    <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Guide</source>
+      <translation>안내서</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/guide.py" />
+      <source>Shows the guide; in a panel of Sens Workbench F1 shows the section about it</source>
+      <translation>안내서(영어)를 표시합니다. Sens Workbench 패널에서 F1을 누르면 해당 절이 표시됩니다</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_ImportReadings</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import Readings…</source>
       <translation>측정값 가져오기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe</source>
       <translation>측정 오차 표를 읽습니다: 레이저, 볼바, 대각선, 트래커, 프로브</translation>
     </message>
@@ -2629,12 +2587,12 @@
   <context>
     <name>Sens_Jog</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog…</source>
       <translation>조그…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the axes and all they carry; shows the Abbe offsets as arrows</source>
       <translation>축과 축이 나르는 모든 것을 움직이고 아베 오프셋을 화살표로 보여 줍니다</translation>
     </message>
@@ -2642,12 +2600,12 @@
   <context>
     <name>Sens_Machine</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Machine from Selection…</source>
       <translation>선택에서 기계 만들기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Makes a machine from parts: which is the bed, and which carries X, Y, Z, spindle and table</source>
       <translation>부품으로 기계를 만듭니다: 베드와 X, Y, Z, 주축, 테이블을 나르는 부품을 지정합니다</translation>
     </message>
@@ -2655,12 +2613,12 @@
   <context>
     <name>Sens_MachineFromAssembly</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Machine from Assembly…</source>
       <translation>조립체에서 기계 만들기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
       <translation>조립체로 기계를 만듭니다. 슬라이더가 축이 됩니다</translation>
     </message>
@@ -2668,12 +2626,12 @@
   <context>
     <name>Sens_OriginalColours</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Gives every part the colours back that it had before</source>
       <translation>모든 부품에 이전 색상을 되돌려 줍니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>원래 색상</translation>
     </message>
@@ -2681,12 +2639,12 @@
   <context>
     <name>Sens_Repair</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Repair Machine…</source>
       <translation>기계 복구…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Says what is wrong with the objects of a machine and mends what can be mended</source>
       <translation>기계 객체의 이상을 알려 주고 고칠 수 있는 것을 고칩니다</translation>
     </message>
@@ -2694,12 +2652,12 @@
   <context>
     <name>Sens_Report</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/export.py" />
       <source>Export Report…</source>
       <translation>보고서 내보내기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/export.py" />
       <source>Writes the ranking as HTML with a picture of the view, and as JSON and CSV</source>
       <translation>순위를 화면 그림이 있는 HTML과 JSON, CSV로 씁니다</translation>
     </message>
@@ -2707,12 +2665,12 @@
   <context>
     <name>Sens_Residuals</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Residuals</source>
       <translation>잔차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Shows the residuals before and after as arrows in the workspace, or hides them</source>
       <translation>전후 잔차를 작업 공간에 화살표로 보이거나 숨깁니다</translation>
     </message>
@@ -2720,12 +2678,12 @@
   <context>
     <name>Sens_Review</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Review</source>
       <translation>검토</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Shows the ranking, the components and what-if beside the model</source>
       <translation>모델 옆에 순위, 구성요소, 가정 분석을 보여 줍니다</translation>
     </message>
@@ -2733,12 +2691,12 @@
   <context>
     <name>Sens_Sensitivity</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Computes the indices of every error, colours the parts and shows the ranking</source>
       <translation>모든 오차의 지수를 계산하여 부품을 채색하고 순위를 보여 줍니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>민감도</translation>
     </message>
@@ -2746,12 +2704,12 @@
   <context>
     <name>Sens_SwitchEffect</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect On or Off</source>
       <translation>효과 켜기/끄기</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Switches the selected effect off, or on again</source>
       <translation>선택한 효과를 끄거나 다시 켭니다</translation>
     </message>
@@ -2759,12 +2717,12 @@
   <context>
     <name>Sens_Tables</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Export Compensation Tables…</source>
       <translation>보정 테이블 내보내기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Writes the fitted errors as tables of a controller, and states what they cannot hold</source>
       <translation>맞춘 오차를 제어기 테이블로 쓰고, 담을 수 없는 것을 알려 줍니다</translation>
     </message>
@@ -2772,12 +2730,12 @@
   <context>
     <name>Sens_Tolerances</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Edits limits and distribution of every error in a table</source>
       <translation>모든 오차의 한계와 분포를 표에서 편집합니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Tolerances…</source>
       <translation>공차…</translation>
     </message>
@@ -2785,12 +2743,12 @@
   <context>
     <name>Sens_Trace</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Searches for the effect that explains what the declared errors leave over</source>
       <translation>선언된 오차가 남긴 것을 설명하는 효과를 찾습니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Trace…</source>
       <translation>추적…</translation>
     </message>
@@ -2798,12 +2756,12 @@
   <context>
     <name>Sens_TraceReport</name>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Export Trace Report…</source>
       <translation>추적 보고서 내보내기…</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/loop_commands.py" />
+      <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Writes what was found as HTML and JSON, with the augmented machine</source>
       <translation>발견한 것을 HTML과 JSON으로, 확장된 기계와 함께 저장합니다</translation>
     </message>
@@ -2811,17 +2769,17 @@
   <context>
     <name>Workbench</name>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Analysis</source>
       <translation>Sens 해석</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Closed Loop</source>
       <translation>Sens 폐루프</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/commands.py" />
+      <location filename="../../sensworkbench/gui/command.py" />
       <source>Sens Machine</source>
       <translation>Sens 기계</translation>
     </message>

@@ -1,39 +1,49 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every command shares: its texts and icon, when it is greyed, and how a refusal becomes one message."""
+"""What every command shares, and the table of all of them.
+
+A command stands in the module of its panel and says everything about itself in class attributes: texts, place in menu,
+toolbar and context menus, what it needs, its section of the guide, its keys.  `@command` enters it into REGISTRY;
+menus, toolbars, context menus, the table in the guide and the tests are read from there.
+"""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.refusal import Refused
-from ..document import factory
-from ..document.base import kind_of
-from . import messages
+from ..document import closed_loop
+from . import current, messages
 from .files import icon_path
-from .qt import translate
+from .qt import QT_TRANSLATE_NOOP, busy_cursor, translate
 
+# group of the menu -> title of its toolbar, in the order of the work
+GROUPS = {
+    "machine": QT_TRANSLATE_NOOP("Workbench", "Sens Machine"),
+    "analysis": QT_TRANSLATE_NOOP("Workbench", "Sens Analysis"),
+    "files": "",
+    "loop": QT_TRANSLATE_NOOP("Workbench", "Sens Closed Loop"),
+    "help": "",
+}
 
-def QT_TRANSLATE_NOOP(context, text):  # the name that lupdate looks for
-    return text
+# what a command needs in the active document -> (is it there?, words for the guide); asked often, so cheap
+NEEDS = {
+    "nothing": (lambda: True, ""),
+    "document": (lambda: App.ActiveDocument is not None, "a document"),
+    "machine": (lambda: bool(current.machines()), "a machine"),
+    "result": (lambda: bool(current.results()), "a computed result"),
+    "colours": (lambda: any(r.Coloured or r.OriginalColours for r in current.results()), "a result that is shown"),
+    "readings": (lambda: bool(current.tables()), "readings"),
+    "trace": (lambda: bool(current.traces()), "a trace"),
+    "effects found": (lambda: any(closed_loop.can_add(t) for t in current.traces()), "a trace that named an effect"),
+    "effect": (lambda: bool(current.machines()) and current.selected("Effect") is not None, "a selected effect"),
+    "fitted": (lambda: any(m.Fitted for m in current.machines()), "fitted errors"),
+}
 
-
-# -- what commands work on -------------------------------------------------------------------------------------------
-def machines() -> list:
-    """The machines of the active document; cheap enough to be asked whenever a menu is updated."""
-    doc = App.ActiveDocument
-    if doc is None:
-        return []
-    return [o for o in doc.findObjects("App::DocumentObjectGroup") if kind_of(o) == "Machine"]
-
-
-def current_machine():
-    """The selected machine (or that of the selected axis, table or result), else the only one; refuses otherwise."""
-    for obj in Gui.Selection.getSelection():
-        machine = obj if kind_of(obj) == "Machine" else factory.owner_machine(obj) if kind_of(obj) else None
-        if machine is not None:
-            return machine
-    return factory.machine_of(App.ActiveDocument)
+REGISTRY: dict[str, Command] = {}
+AFTER: list = []  # functions that are called after every command, such as those that make room for a panel
 
 
 def busy() -> bool:
@@ -41,11 +51,32 @@ def busy() -> bool:
     return bool(Gui.Control.activeDialog())
 
 
-class Command:
-    """Base: texts and icon from class attributes, active when ready and no panel is open, refusals shown."""
+@dataclass(frozen=True)
+class Where:
+    """group : of GROUPS.  rank : order in its group.  toolbar : whether it has a button there.
 
-    name, menu_text, tip, icon, keys = "", "", "", "", ""
-    needs_machine = True
+    tree : kinds of objects whose context menu offers it.  double : those on which a double click runs it.
+    """
+
+    group: str
+    rank: int
+    toolbar: bool = True
+    tree: tuple[str, ...] = ()
+    double: tuple[str, ...] = ()
+
+
+class Command:
+    """A command: texts, icon and place from class attributes; active when ready and no panel is open.
+
+    needs : of NEEDS.  guide : the heading of its section in docs/guide.md.  keys : its shortcut.  icon : file, where it
+    is not that of the name.  beside : it works beside an open panel.  hidden : only in context menus.
+    """
+
+    name, menu_text, tip, icon, keys, guide = "", "", "", "", "", ""
+    needs = "machine"
+    where: Where | None = None
+    beside = False
+    hidden = False
 
     def GetResources(self):
         text = translate(self.name, self.menu_text)
@@ -57,28 +88,51 @@ class Command:
         return found
 
     def IsActive(self):
-        return not busy() and self.ready()
+        return (self.beside or not busy()) and self.ready()
 
     def ready(self) -> bool:
-        """Could the command work in the active document?  Asked often, so it must be cheap."""
-        return not self.needs_machine or bool(machines())
+        """Whether the command could work in the active document.  Asked often, so it must be cheap."""
+        return NEEDS[self.needs][0]()
 
     def Activated(self, index=0):
-        if busy():
+        if busy() and not self.beside:
             messages.show(translate("Sens", "Another panel is open. Close it first."))
             return
         try:
-            self.run()
+            with busy_cursor():
+                self.run()
         except Refused as error:
             messages.refused(error, App.ActiveDocument)
-        if busy():
-            from . import review
-
-            review.make_room()
-        else:
-            from . import first_steps
-
-            first_steps.update()
+        except Exception as error:  # noqa: BLE001 - a defect: said where the person looks
+            messages.stopped(error, translate(self.name, self.menu_text).rstrip("…"))
+        for function in AFTER:
+            function()
 
     def run(self):
+        """Do the work; refuses what cannot be done."""
         raise NotImplementedError
+
+
+def command(kind):
+    """Enter a class of commands into REGISTRY and make it known to FreeCAD."""
+    REGISTRY[kind.name] = made = kind()
+    Gui.addCommand(kind.name, made)
+    return kind
+
+
+def after_command(function):
+    """Call a function after every command."""
+    AFTER.append(function)
+    return function
+
+
+def ordered() -> list[Command]:
+    """All commands in the order of the menu."""
+    groups = list(GROUPS)
+    return sorted(REGISTRY.values(), key=lambda c: (groups.index(c.where.group), c.where.rank))
+
+
+def offered(kind: str) -> list[Command]:
+    """The commands in the context menu of an object of a kind; the one of its double click comes first."""
+    found = [c for c in ordered() if kind in c.where.tree or kind in c.where.double]
+    return sorted(found, key=lambda c: kind not in c.where.double)

@@ -11,12 +11,12 @@ from pivy import coin
 from ..core.refusal import Refused
 from ..document import factory
 from ..document.base import alive, kind_of
-from . import colours
+from . import colours, live
 from .colormap import Scale, automatic
 from .legend import LegendText
+from .looks import COLOUR_BY, VIEW_PROPERTIES
 from .qt import translate
 from .texts import body_name, objective_text, positions_text, square_text
-from .viewproviders import COLOUR_BY, VIEW_PROPERTIES, ViewProviderSensitivity
 
 
 def ready(result) -> bool:
@@ -78,14 +78,12 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
 def update(result, *, fresh: bool = False) -> None:
     """Bring colours, legend and error map of a result up to date; `fresh`: compute it again first if stale."""
     machine = factory.owner_machine(result)
-    if machine is None or not ready(result) or not isinstance(result.ViewObject.Proxy, ViewProviderSensitivity):
+    if machine is None or not ready(result) or not hasattr(result.ViewObject.Proxy, "legend"):
         return
     view = result.ViewObject
     proxy = view.Proxy
     if fresh and result.Coloured and result.Stale:
-        from .live import answer
-
-        answer(machine, result)  # before anything is drawn: one frame shows the moved part and its new colour
+        live.answer(machine, result)  # before anything is drawn: one frame shows the moved part and its new colour
     if result.Coloured:
         try:
             colours.apply(machine, result, values(result), scale(result))
@@ -98,9 +96,7 @@ def update(result, *, fresh: bool = False) -> None:
     show_map(machine, result)
     ask_for_frame()
     if result.Coloured and result.Stale:
-        from .live import wake
-
-        wake(machine)
+        live.wake(machine)
 
 
 def show_map(machine, result, at: float | None = None) -> None:
@@ -125,3 +121,12 @@ def ask_for_frame() -> None:
 
 def results(doc) -> list:
     return [o for o in doc.Objects if kind_of(o) == "Sensitivity" and alive(o)]
+
+
+def compute_and_colour(machine):
+    """Compute, store and show the indices of a machine; returns the result.  The caller opens the transaction."""
+    machine.Document.recompute()
+    result = live.compute(machine)
+    result.Coloured = True
+    update(result)
+    return result

@@ -16,9 +16,9 @@ from ..document import extract, factory
 from ..studies.error_map import FINE, map_errors, map_positions
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
+from .looks import MAP_FORMS, MAP_SHOWS
 from .qt import translate
 from .texts import shown_unit
-from .viewproviders import MAP_FORMS, MAP_SHOWS
 
 EXPECTED, WORST = MAP_SHOWS
 POINTS = MAP_FORMS[0]

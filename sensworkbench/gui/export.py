@@ -13,7 +13,9 @@ from ..document import extract, factory, results
 from ..formats import study_files
 from ..studies.sensitivity import completed
 from . import messages, settings, state
-from .qt import pump, translate
+from .command import Command, Where, command
+from .current import current_machine
+from .qt import QT_TRANSLATE_NOOP, pump, translate
 
 PICTURE = "view.png"
 
@@ -103,3 +105,15 @@ def save_picture(doc) -> None:
             raise Refused(translate("Sens", "the document has no 3D view"), doc.Label)
         write_bytes(path, content)
         messages.status(translate("Sens", "Written: {files}").format(files=path))
+
+
+@command
+class Report(Command):
+    name = "Sens_Report"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Report", "Export Report…")
+    tip = QT_TRANSLATE_NOOP("Sens_Report", "Writes the ranking as HTML with a picture of the view, and as JSON and CSV")
+    needs, guide = "result", "7. Take it with you"
+    where = Where("files", 10, tree=("Sensitivity",))
+
+    def run(self):
+        ask_and_export(current_machine())

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 
 import sensworkbench
@@ -25,26 +26,28 @@ def tree_icon(name: str) -> str:
     FreeCAD's tree loads icons through Qt's image plugins, and some Qt 6 installations lack the one for SVG; FreeCAD's
     own reader, which the toolbars use, is always there.
     """
-    from .qt import QtCore, QtGui
+    from .qt import QtGui
 
     path = icon_path(name)
     if any(bytes(f.data() if hasattr(f, "data") else f) == b"svg" for f in QtGui.QImageReader.supportedImageFormats()):
         return path
+    return _registered_icon(name) or path
+
+
+@functools.cache
+def _registered_icon(name: str) -> str:
+    """The name under which FreeCAD knows an icon as a picture of points, "" where it cannot paint it."""
     import FreeCADGui as Gui
 
-    key = f"SensTree_{name}"
-    if key not in _registered:
-        icon = Gui.getIcon(path) if hasattr(Gui, "getIcon") else None
-        if icon is None or icon.isNull():
-            return path
-        data = QtCore.QByteArray()
-        buffer = QtCore.QBuffer(data)
-        buffer.open(QtCore.QIODevice.WriteOnly)
-        icon.pixmap(64, 64).save(buffer, "PNG")
-        buffer.close()
-        Gui.addIcon(key, bytes(data.data()), "PNG")
-        _registered.add(key)
-    return key
+    from .qt import QtCore
 
-
-_registered: set[str] = set()
+    icon = Gui.getIcon(icon_path(name)) if hasattr(Gui, "getIcon") else None
+    if icon is None or icon.isNull():
+        return ""
+    data = QtCore.QByteArray()
+    buffer = QtCore.QBuffer(data)
+    buffer.open(QtCore.QIODevice.WriteOnly)
+    icon.pixmap(64, 64).save(buffer, "PNG")
+    buffer.close()
+    Gui.addIcon(f"SensTree_{name}", bytes(data.data()), "PNG")
+    return f"SensTree_{name}"

@@ -10,8 +10,7 @@ from __future__ import annotations
 import re
 
 from ..formats.trace_html import driver_words
-from .command import QT_TRANSLATE_NOOP
-from .qt import translate
+from .qt import QT_TRANSLATE_NOOP, translate
 from .texts import error_meaning
 
 SAID = (

@@ -10,10 +10,9 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from . import messages
-from .command import machines
+from .command import after_command
+from .current import machines
 from .qt import translate
-
-_shown: list = []
 
 
 class Begin:
@@ -31,19 +30,19 @@ class Begin:
 
 def show() -> None:
     """Offer the first steps; called when the workbench is entered."""
-    _shown[:] = [Begin()]
-    Gui.Control.addTaskWatcher(list(_shown))
+    Gui.Control.addTaskWatcher([Begin()])
     if not machines():
         words = translate("Sens", "Begin with Sens > Example Machine, or Machine from Selection… on your own parts")
         messages.status(words)
 
 
 def hide() -> None:
-    _shown.clear()
+    """Offer nothing; called when the workbench is left."""
     Gui.Control.clearTaskWatcher()
 
 
+@after_command
 def update() -> None:
     """Let FreeCAD ask again what is to be shown, which it does not do by itself after a command."""
-    if _shown:
-        Gui.Control.addTaskWatcher(list(_shown))
+    if Gui.activeWorkbench().name() == "SensWorkbench" and not Gui.Control.activeDialog():
+        Gui.Control.addTaskWatcher([Begin()])

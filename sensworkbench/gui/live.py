@@ -15,24 +15,24 @@ import FreeCAD as App
 from ..core import workspace
 from ..core.refusal import Refused
 from ..document import extract, factory, results
-from . import settings
-from .qt import Qt, QtCore, QtGui, later, main_window, run, soon, translate
+from . import settings, state
+from .qt import Qt, QtCore, QtGui, later, main_window, run, soon, translate, usual_cursor
 
-_waiting: set[tuple[str, str]] = set()
 LIVE_POINTS = 2000  # more positions than these are computed on command only
 
 
 def wake(machine) -> None:
     """Compute again soon, unless the user switched that off."""
-    key = (machine.Document.Name, machine.Name)
-    if settings.get("Live") and not machine.Problem and key not in _waiting:
-        _waiting.add(key)
-        later(lambda: _answer(key))
+    document, name = machine.Document.Name, machine.Name
+    answering = state.of(document).answering
+    if settings.get("Live") and not machine.Problem and name not in answering:
+        answering.add(name)
+        later(lambda: _answer(document, name))
 
 
-def _answer(key) -> None:
-    _waiting.discard(key)
-    document, name = key
+def _answer(document: str, name: str) -> None:
+    if document in App.listDocuments():
+        state.of(document).answering.discard(name)
     machine = App.getDocument(document).getObject(name) if document in App.listDocuments() else None
     result = factory.sensitivity_of(machine) if machine is not None else None
     if result is not None:
@@ -50,21 +50,27 @@ def answer(machine, result) -> bool:
     return not result.Stale
 
 
+THREAD = "sens-task"  # name of every thread that runs a Task
+COLLECT = 200  # milliseconds between two looks at what Python has to collect while a task runs
+
+
 class Task:
     """A function in a thread of its own, to be started at once.  It is handed `progress`; a false return means stop.
 
-    Windows and timers that were dropped must not be deleted in the thread: Qt crashes.  So Python collects no garbage
-    while a task runs, and the function, with all that it refers to, is let go in the event loop.
+    Windows and timers that were dropped must not be deleted in the thread: Qt crashes.  Python collects garbage in
+    whichever thread makes the next object, so while a task runs this is done by a timer of the event loop
+    instead; and the function, with all that it refers to, is let go in the event loop.
     """
-
-    _running = 0
 
     def __init__(self, function):
         self.fraction, self.cancelled, self.result, self.error = 0.0, False, None, None
         self._function = function
-        self.thread = threading.Thread(target=self._run, daemon=True)
+        self.thread = threading.Thread(target=self._run, daemon=True, name=THREAD)
+        self._turn = 0
+        self._collector = QtCore.QTimer()
+        self._collector.timeout.connect(self._collect)
+        self._collector.start(COLLECT)
         gc.disable()
-        Task._running += 1
 
     def progress(self, fraction: float) -> bool:
         self.fraction = fraction
@@ -77,11 +83,16 @@ class Task:
             self.error = error
         soon(self._done)
 
+    def _collect(self) -> None:
+        """What Python would have collected by now: the youngest objects each time, the older ones less often."""
+        self._turn += 1
+        gc.collect(2 if self._turn % 50 == 0 else 1 if self._turn % 10 == 0 else 0)
+
     def _done(self):
         self.thread.join()
+        self._collector.stop()
         self._function = None
-        Task._running -= 1
-        if not Task._running:
+        if not any(t.name == THREAD for t in threading.enumerate()):
             gc.enable()
 
 
@@ -128,7 +139,8 @@ def _wait(task: Task, title: str) -> None:
     timer.timeout.connect(look)
     timer.start(40)
     dialog.show()
-    run(loop)
+    with usual_cursor():
+        run(loop)
     timer.stop()
     dialog.close()
     dialog.setParent(None)  # deleted when the outermost event loop gets to it: no one finds it until then

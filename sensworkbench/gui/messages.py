@@ -10,7 +10,7 @@ import FreeCAD as App
 
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from .qt import Qt, QtGui, main_window, translate
+from .qt import Qt, QtGui, main_window, translate, usual_cursor
 
 
 def show(text: str, title: str = "Sens Workbench"):
@@ -94,14 +94,17 @@ def icon(name: str) -> str:
 
 def ask_open(title: str, kinds: str) -> str:
     """Path of a file to read, or ""."""
-    return QtGui.QFileDialog.getOpenFileName(main_window(), title, "", kinds)[0]
+    with usual_cursor():
+        return QtGui.QFileDialog.getOpenFileName(main_window(), title, "", kinds)[0]
 
 
 def ask_save(title: str, kinds: str, name: str) -> str:
     """Path of a file to write, or ""."""
-    return QtGui.QFileDialog.getSaveFileName(main_window(), title, name, kinds)[0]
+    with usual_cursor():
+        return QtGui.QFileDialog.getSaveFileName(main_window(), title, name, kinds)[0]
 
 
 def ask_folder(title: str) -> str:
     """Path of a folder, or ""."""
-    return QtGui.QFileDialog.getExistingDirectory(main_window(), title)
+    with usual_cursor():
+        return QtGui.QFileDialog.getExistingDirectory(main_window(), title)

@@ -7,6 +7,8 @@ on older ones, so everything is reached through QtGui.
 
 from __future__ import annotations
 
+from contextlib import contextmanager
+
 import FreeCAD as App
 from PySide import QtCore, QtGui
 
@@ -19,6 +21,11 @@ Qt = QtCore.Qt
 Signal = QtCore.Signal
 
 translate = App.Qt.translate
+
+
+def QT_TRANSLATE_NOOP(context, text):
+    """Mark a text for translation and return it as it is."""
+    return text
 
 
 def run(loop) -> object:
@@ -42,6 +49,37 @@ def buttons(*names: str):
         return int(flags)
     except TypeError:
         return flags
+
+
+@contextmanager
+def busy_cursor():
+    """A busy cursor from the first tenth of a second on, until the work is done or a panel or message is shown."""
+    application = QtGui.QApplication
+    if application.overrideCursor() is not None:
+        yield
+        return
+    # a timer would fire only when the work is over: the cursor is set at once, and the screen shows it after a moment
+    application.setOverrideCursor(QtGui.QCursor(Qt.WaitCursor))
+    try:
+        yield
+    finally:
+        if application.overrideCursor() is not None:
+            application.restoreOverrideCursor()
+
+
+@contextmanager
+def usual_cursor():
+    """The usual cursor inside, for dialogs that stop the work that a busy cursor was shown for."""
+    application = QtGui.QApplication
+    shape = application.overrideCursor()
+    if shape is not None:
+        shape = QtGui.QCursor(shape)
+        application.restoreOverrideCursor()
+    try:
+        yield
+    finally:
+        if shape is not None:
+            application.setOverrideCursor(shape)
 
 
 def later(function, milliseconds: int = 0) -> None:

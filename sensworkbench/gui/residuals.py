@@ -18,10 +18,11 @@ from ..core.refusal import Refused
 from ..document import extract, factory
 from .arrows import Arrow, Arrows
 from .legend import Legend
+from .looks import CORNERS
 from .picture import blank, font, painter, plate, text_width
 from .plots import AFTER, BEFORE
 from .qt import Qt, QtCore, QtGui, later, translate
-from .viewproviders import CORNERS, ViewProviderSens
+from .viewprovider_base import ViewProviderSens
 
 OFF, SHOW_BEFORE, SHOW_AFTER, BOTH = "Off", "Before", "After", "Before and after"
 CHOICES = (OFF, SHOW_BEFORE, SHOW_AFTER, BOTH)
@@ -245,12 +246,6 @@ class ViewProviderReadings(ViewProviderSens):
 
     icon = "Sens_ImportReadings"
 
-    def menu(self):
-        return [
-            (translate("Sens", "Fit declared errors…"), "Sens_Fit"),
-            (translate("Sens", "Trace…"), "Sens_Trace"),
-        ]
-
 
 class ViewProviderTrace(ViewProviderSens):
     """A trace: a double click opens what it found; its view properties say which residuals are drawn."""
@@ -306,14 +301,6 @@ class ViewProviderTrace(ViewProviderSens):
         obj = self.object
         if obj is not None and obj.ViewObject is not None:
             update(obj)
-
-    def menu(self):
-        return [
-            (translate("Sens", "Show result…"), "Sens_Trace"),
-            (translate("Sens", "Add effects"), "Sens_AddEffect"),
-            (translate("Sens", "Residuals"), "Sens_Residuals"),
-            (translate("Sens", "Export trace report…"), "Sens_TraceReport"),
-        ]
 
 
 PROVIDERS = {"Readings": ViewProviderReadings, "Trace": ViewProviderTrace}

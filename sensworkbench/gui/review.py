@@ -15,23 +15,33 @@ from ..document import extract, factory
 from ..document.base import alive, kind_of
 from . import display, messages, pointers, state
 from .bars import ComponentBars
+from .command import after_command, busy
+from .export import save_picture
+from .guide import HelpKey
+from .panel import overlaid
 from .qt import Qt, QtCore, QtGui, later, main_window, translate
 from .ranking import Ranking
 from .review_settings import Settings
 from .texts import body_name, mean_square_text, objective_text, positions_text
 from .whatif import WhatIf
 
-_dock: list = []
+NAME = "SensReview"
 ROOMY = 1700  # pixels of a window that has room for the tree, the model, a task panel and the review
+
+
+def existing():
+    """The dock where it was made already, or None."""
+    return main_window().findChild(QtGui.QDockWidget, NAME)
 
 
 def dock():
     """The one dock, made when first asked for."""
-    if not _dock:
-        _dock.append(Review(main_window()))
-        main_window().addDockWidget(Qt.RightDockWidgetArea, _dock[0])
-        main_window().resizeDocks([_dock[0]], [430], Qt.Horizontal)
-    return _dock[0]
+    found = existing()
+    if found is None:
+        found = Review(main_window())
+        main_window().addDockWidget(Qt.RightDockWidgetArea, found)
+        main_window().resizeDocks([found], [430], Qt.Horizontal)
+    return found
 
 
 def show(machine) -> Review:
@@ -44,41 +54,42 @@ def show(machine) -> Review:
 
 
 def hide() -> None:
-    if _dock:
-        _dock[0].close()
+    """Close the dock where there is one."""
+    found = existing()
+    if found is not None:
+        found.close()
 
 
+@after_command
 def make_room() -> None:
     """Give way to a task panel that lies over the 3D view (FreeCAD 1.1) where both leave the model no room."""
-    if not _dock or not _dock[0].isVisible() or main_window().width() >= ROOMY or not _overlaid():
+    found = existing()
+    if not busy() or found is None or not found.isVisible() or main_window().width() >= ROOMY or not _overlaid():
         return
-    _dock[0].hide()
+    found.hide()
     _come_back()
 
 
 def _come_back() -> None:
     """Show the dock again once the panel is closed."""
-    if Gui.Control.activeDialog():
+    if busy():
         later(_come_back, 200)
-    elif _dock:
-        _dock[0].show()
-        _dock[0].refresh()
+    elif (found := existing()) is not None:
+        found.show()
+        found.refresh()
 
 
 def _overlaid() -> bool:
     """Whether FreeCAD shows task panels as an overlay at the right of the 3D view."""
     panel = main_window().findChild(QtGui.QDockWidget, "Tasks")
-    while panel is not None:
-        if "Overlay" in panel.metaObject().className():
-            return True
-        panel = panel.parentWidget()
-    return False
+    return panel is not None and overlaid(panel)
 
 
 def workbench_activated() -> None:
     """Nothing is opened unasked; the dock keeps what it shows."""
-    if _dock and _dock[0].isVisible():
-        _dock[0].refresh()
+    found = existing()
+    if found is not None and found.isVisible():
+        found.refresh()
 
 
 class Watch:
@@ -121,7 +132,7 @@ class Follow:
 class Review(QtGui.QDockWidget):
     def __init__(self, parent):
         super().__init__(translate("Sens", "Sensitivity review"), parent)
-        self.setObjectName("SensReview")
+        self.setObjectName(NAME)
         self.key = ("", "")
         self._timer = QtCore.QTimer(self)
         self._timer.setSingleShot(True)
@@ -151,6 +162,7 @@ class Review(QtGui.QDockWidget):
         layout.addLayout(self._buttons())
         self.setWidget(body)
         self.setMinimumWidth(340)
+        HelpKey(self, "3. Sensitivity")
         self.ranking.chosen.connect(self.choose)
         self.bars.picked.connect(lambda b: self.choose([b]))
         self._watch, self._follow = Watch(self), Follow(self)
@@ -189,8 +201,6 @@ class Review(QtGui.QDockWidget):
         Gui.runCommand(command, 0)
 
     def _picture(self):
-        from .export import save_picture
-
         if self.machine is not None:
             try:
                 save_picture(self.machine.Document)

@@ -222,8 +222,6 @@ class Settings(QtGui.QScrollArea):
 
     def compute(self) -> None:
         """Write the objective and compute again: one undo step."""
-        from .commands import compute_and_colour
-
         machine = self.machine
         if machine is None:
             return
@@ -239,7 +237,7 @@ class Settings(QtGui.QScrollArea):
             machine.At = App.Vector(*[b.value() for b in self.at])
             if read_field(self.aggregate) != "at":
                 setattr(machine, "Grid" if read_field(self.aggregate) == "grid" else "Order", self.count.value())
-            compute_and_colour(machine)
+            display.compute_and_colour(machine)
 
         messages.change(machine.Document, translate("Sens", "Sensitivity"), change)
 

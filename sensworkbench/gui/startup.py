@@ -9,22 +9,17 @@ from __future__ import annotations
 
 import FreeCAD as App
 
+from . import state
 from .files import icon_path, translations
-from .qt import later, translate
+from .qt import later, main_window, translate
 
 __all__ = ["begin", "icon_path", "translate"]
 
-_observer: list = []
-_waiting: set[str] = set()
-_seen: set[str] = set()  # documents that were looked at for damage
-
 
 def begin() -> None:
-    """Register everything once."""
+    """Register everything; called once, by InitGui."""
     import FreeCADGui as Gui
 
-    if _observer:
-        return
     Gui.addLanguagePath(translations())
     if hasattr(Gui, "updateLocale"):
         Gui.updateLocale()
@@ -32,8 +27,7 @@ def begin() -> None:
     from .preferences import PreferencePage
 
     Gui.addPreferencePage(PreferencePage, "Sens")
-    _observer.append(Observer())
-    App.addDocumentObserver(_observer[0])
+    App.addDocumentObserver(Observer())
     later(_ready)
 
 
@@ -42,12 +36,16 @@ def _ready() -> None:
     from ..document.base import register_dresser
 
     def made_or_restored(obj):
+        from . import commands  # noqa: F401 - context menus and double clicks need them
         from .viewproviders import dress
 
         dress(obj)
         adopt_soon(obj.Document)
 
     register_dresser(made_or_restored)
+    from .guide import WhatsThis
+
+    WhatsThis(main_window())
     for name in list(App.listDocuments()):
         adopt_soon(App.getDocument(name))
 
@@ -55,14 +53,15 @@ def _ready() -> None:
 def adopt_soon(doc) -> None:
     """Take over a document that holds our objects, once, when the event loop is idle."""
     name = doc.Name
-    if name in _waiting:
+    if state.of(name).adopting:
         return
-    _waiting.add(name)
+    state.of(name).adopting = True
 
     def adopt():
-        _waiting.discard(name)
         if name not in App.listDocuments():
+            state.forget(name)
             return
+        state.of(name).adopting = False
         document = App.getDocument(name)
         if any(hasattr(o, "SensType") for o in document.Objects):
             from .adopt import adopt as run
@@ -78,14 +77,14 @@ _EMPTY = {"App::PropertyXLinkSub": None, "App::PropertyXLink": None, "App::Prope
 def look_soon(doc) -> None:
     """Say once, when a document with damaged objects of ours has been opened, what mends them."""
     name = doc.Name
-    if name in _seen:
+    if state.of(name).examined:
         return
-    _seen.add(name)
+    state.of(name).examined = True
 
     def look():
         document = App.getDocument(name) if name in App.listDocuments() else None
         if document is None:
-            _seen.discard(name)
+            state.forget(name)
         elif getattr(document, "Restoring", False):
             later(look, 20)
         elif document.FileName and any(hasattr(o, "SensType") for o in document.Objects):
@@ -103,9 +102,8 @@ class Observer:
         look_soon(doc)
 
     def slotDeletedDocument(self, doc):
-        from . import panel, state
+        from . import panel
 
-        _seen.discard(doc.Name)
         panel.document_gone(doc.Name)
         state.forget(doc.Name)
 

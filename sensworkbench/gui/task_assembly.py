@@ -13,9 +13,11 @@ from ..core.refusal import Refused
 from ..document import assembly as reader
 from ..document import geometry, joints, paths, tips
 from . import messages, settings
+from .command import Command, Where, command
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo
-from .qt import QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, QtGui, translate
 
 
 def found(doc) -> list:
@@ -25,8 +27,10 @@ def found(doc) -> list:
     return reader.assemblies(doc)
 
 
-class TaskAssembly:
+class TaskAssembly(Panel):
     """The panel; `reading` is what the joints say."""
+
+    guide = "1. A machine"
 
     def __init__(self, doc, chosen=None):
         self.doc, self.assemblies = doc, found(doc)
@@ -37,10 +41,7 @@ class TaskAssembly:
             )  # fmt: skip
         self.tool_point, self.tip = None, None
         self.reading = None
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensAssembly")
-        self.form.setWindowTitle(translate("Sens", "Machine from assembly"))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_MachineFromAssembly")))
+        self.make_form("SensAssembly", translate("Sens", "Machine from assembly"), "Sens_MachineFromAssembly")
         page = QtGui.QVBoxLayout(self.form)
         rows = QtGui.QFormLayout()
         self.which = combo([(o.Name, o.Label) for o in self.assemblies])
@@ -153,9 +154,6 @@ class TaskAssembly:
         settings.give(machine)
         return machine
 
-    def getStandardButtons(self):
-        return buttons("Ok", "Cancel")
-
     def accept(self):
         if self.reading is None:
             messages.show(self.note.text())
@@ -163,13 +161,9 @@ class TaskAssembly:
         made = []
         if not messages.change(self.doc, translate("Sens", "Machine from assembly"), lambda: made.append(self.make())):
             return False
-        Gui.Control.closeDialog()
+        self.close()
         if made[0].Problem:
             messages.show(made[0].Problem)
-        return True
-
-    def reject(self):
-        Gui.Control.closeDialog()
         return True
 
 
@@ -181,3 +175,18 @@ def open_panel(doc=None):
     panel = TaskAssembly(doc, chosen)
     show_panel(panel, doc)
     return panel
+
+
+@command
+class MachineFromAssembly(Command):
+    name = "Sens_MachineFromAssembly"
+    menu_text = QT_TRANSLATE_NOOP("Sens_MachineFromAssembly", "Machine from Assembly…")
+    tip = QT_TRANSLATE_NOOP("Sens_MachineFromAssembly", "Makes a machine from an assembly: its sliders are the axes")
+    needs, guide = "document", TaskAssembly.guide
+    where = Where("machine", 20)
+
+    def ready(self):
+        return bool(found(App.ActiveDocument))
+
+    def run(self):
+        open_panel()

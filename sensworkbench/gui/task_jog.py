@@ -6,24 +6,30 @@ The whole jog is one undo step; Cancel puts the parts back.
 
 from __future__ import annotations
 
+import FreeCADGui as Gui
+
 from ..core import workspace
 from ..core.errors import AXES, BODIES
 from ..core.refusal import Refused
 from ..document import drive, extract, factory
 from ..document import jog as moving
-from . import colours, display, messages, pointers
+from . import colours, display, pointers
 from .colormap import automatic
+from .command import Command, Where, command
+from .current import current_machine
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import number_box
-from .qt import Qt, QtCore, QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, translate
 from .texts import body_name
 
 STEPS = 1000
 
 
-class TaskJog:
+class TaskJog(Panel):
     """The panel.  `position` is where the axes stand."""
 
+    guide = "5. Jog"
     holds_transaction = True
 
     def __init__(self, machine):
@@ -39,10 +45,7 @@ class TaskJog:
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self._move)
         self._quiet = False
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensJog")
-        self.form.setWindowTitle(translate("Sens", "Jog {name}").format(name=machine.Label))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Jog")))
+        self.make_form("SensJog", translate("Sens", "Jog {name}").format(name=machine.Label), "Sens_Jog")
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(self._axes())
         self.follow = QtGui.QCheckBox(translate("Sens", "Colour by the indices at this position"))
@@ -196,16 +199,11 @@ class TaskJog:
         pointers.show(self.machine, [BODIES[r] for r in sorted(rows)] or list(AXES), detail=bool(rows))
 
     # -- the panel ---------------------------------------------------------------------------------------------------
-    def getStandardButtons(self):
-        return buttons("Ok", "Cancel")
-
     def leave(self):
         self._timer.stop()
         pointers.clear(self.machine)
 
-    def _close(self):
-        import FreeCADGui as Gui
-
+    def close(self) -> None:
         self.leave()
         result = factory.sensitivity_of(self.machine)
         if result is not None:
@@ -216,13 +214,13 @@ class TaskJog:
         if self._timer.isActive():
             self._timer.stop()
             self._move()
-        self._close()
+        self.close()
         self.document.recompute()
         self.document.commitTransaction()
         return True
 
     def reject(self):
-        self._close()
+        self.close()
         self.document.abortTransaction()
         self.document.recompute()
         return True
@@ -233,3 +231,15 @@ def jog(machine):
     panel = TaskJog(machine)
     show_panel(panel, machine.Document)
     return panel
+
+
+@command
+class Jog(Command):
+    name = "Sens_Jog"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Jog", "Jog…")
+    tip = QT_TRANSLATE_NOOP("Sens_Jog", "Moves the axes and all they carry; shows the Abbe offsets as arrows")
+    guide = TaskJog.guide
+    where = Where("analysis", 30, tree=("Machine", "Axis"))
+
+    def run(self):
+        jog(current_machine())

@@ -9,6 +9,9 @@ from __future__ import annotations
 
 import itertools
 
+import FreeCAD as App
+import FreeCADGui as Gui
+
 from ..core.errors import AXES
 from ..core.machine import structure_chains
 from ..core.refusal import Refused
@@ -17,10 +20,13 @@ from ..document import factory, geometry, paths, refresh, tips
 from ..document.base import kind_of
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
+from .command import Command, Where, command
+from .current import current_machine
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo, number_box, read_field, write_field
 from .proposal_note import ProposalNote, watch
-from .qt import Qt, QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .sources import Source, along_choices, reference_choices, source_words, vector_words
 from .texts import body_kind
 
@@ -48,9 +54,10 @@ def words_of(links) -> str:
         return error.message
 
 
-class TaskMachine:
+class TaskMachine(Panel):
     """The panel; its transaction is open when it is made.  proposed : what was guessed, to be checked, or None."""
 
+    guide = "1. A machine"
     holds_transaction = True
 
     def __init__(self, machine, body: str | None = None, proposed: proposal.Proposal | None = None):
@@ -58,10 +65,7 @@ class TaskMachine:
         self.body = body or "F"
         self._quiet = False
         self.end_of = False  # an end was taken where a side was pointed at
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensMachine")
-        self.form.setWindowTitle(machine.Label)
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("SensWorkbench")))
+        self.make_form("SensMachine", machine.Label, "SensWorkbench")
         layout = QtGui.QVBoxLayout(self.form)
         self.guess = ProposalNote(proposed or proposal.Proposal())
         layout.addWidget(self.guess)
@@ -379,19 +383,13 @@ class TaskMachine:
             self._try(change)
 
     # -- the panel ---------------------------------------------------------------------------------------------------
-    def getStandardButtons(self):
-        return buttons("Ok", "Cancel")
-
     def accept(self):
-        import FreeCADGui as Gui
-
         self.document.recompute()
         problem = self.machine.Problem
         if problem:
             messages.show(problem + "\n\n" + translate("Sens", "Correct it, or press Cancel."))
             return False
-        self.leave()
-        Gui.Control.closeDialog()
+        self.close()
         self.document.commitTransaction()
         return True
 
@@ -400,10 +398,7 @@ class TaskMachine:
         pointers.clear(self.machine)
 
     def reject(self):
-        import FreeCADGui as Gui
-
-        self.leave()
-        Gui.Control.closeDialog()
+        self.close()
         self.document.abortTransaction()
         self.document.recompute()
         return True
@@ -443,3 +438,31 @@ def edit_machine(machine, body: str | None = None):
     panel = TaskMachine(machine, body)
     show_panel(panel, machine.Document)
     return panel
+
+
+@command
+class NewMachine(Command):
+    name = "Sens_Machine"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Machine", "Machine from Selection…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Machine", "Makes a machine from parts: which is the bed, and which carries X, Y, Z, spindle and table"
+    )
+    needs, guide = "document", TaskMachine.guide
+    where = Where("machine", 10)
+
+    def run(self):
+        new_machine(App.ActiveDocument)
+
+
+@command
+class EditMachine(Command):
+    name = "Sens_EditMachine"
+    menu_text = QT_TRANSLATE_NOOP("Sens_EditMachine", "Edit Machine…")
+    tip = QT_TRANSLATE_NOOP("Sens_EditMachine", "Changes chains, carriages, directions, reference points and travel")
+    guide = TaskMachine.guide
+    where = Where("machine", 40, tree=("Machine", "Axis", "Body"), double=("Machine", "Axis", "Body"))
+
+    def run(self):
+        chosen = [o for o in Gui.Selection.getSelection() if kind_of(o) in ("Axis", "Body")]
+        body = getattr(chosen[0], "Axis", None) or getattr(chosen[0], "Body", None) if chosen else None
+        edit_machine(current_machine(), body)

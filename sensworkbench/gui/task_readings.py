@@ -15,16 +15,21 @@ from ..formats import column_guess, csv_table, readings_csv
 from ..formats.column_guess import DRIVER, IGNORE, Guess
 from ..formats.readings_conventions import ANSWERS, question
 from . import messages
+from .command import Command, Where, command
+from .current import current_machine
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo, number_box
-from .qt import QtCore, QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 
 COLUMN, USE, UNIT, VALUE = range(4)
 ASKED = ("sign", "frame", "positions")
 
 
-class TaskReadings:
+class TaskReadings(Panel):
     """The panel for one file.  `mapping()` is what it says now; `readings` what that gives, None where refused."""
+
+    guide = "8. Close the loop: readings in, the missing effect out"
 
     def __init__(self, machine, path):
         self.machine, self.path = machine, Path(path)
@@ -35,10 +40,9 @@ class TaskReadings:
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.check)
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensReadings")
-        self.form.setWindowTitle(translate("Sens", "Import {name}").format(name=self.path.name))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_ImportReadings")))
+        self.make_form(
+            "SensReadings", translate("Sens", "Import {name}").format(name=self.path.name), "Sens_ImportReadings"
+        )
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(QtGui.QLabel(translate("Sens", "What each column of the table is:")))
         self.columns = self._columns()
@@ -231,12 +235,7 @@ class TaskReadings:
             messages.show(error.message)
 
     # -- the panel ---------------------------------------------------------------------------------------------------
-    def getStandardButtons(self):
-        return buttons("Ok", "Cancel")
-
     def accept(self):
-        import FreeCADGui as Gui
-
         if self._timer.isActive() or self.readings is None:
             self.check()
         if self.readings is None:
@@ -254,19 +253,12 @@ class TaskReadings:
             lambda: closed_loop.make_readings(self.machine, self.path, mapping),
         )  # fmt: skip
         if done:
-            Gui.Control.closeDialog()
+            self.close()
             messages.status(self.note.text())
         return done
 
     def leave(self):
         self._timer.stop()
-
-    def reject(self):
-        import FreeCADGui as Gui
-
-        self.leave()
-        Gui.Control.closeDialog()
-        return True
 
 
 def data(field):
@@ -341,3 +333,22 @@ def import_readings(machine, path):
     panel = TaskReadings(machine, path)
     show_panel(panel, machine.Document)
     return panel
+
+
+@command
+class ImportReadings(Command):
+    name = "Sens_ImportReadings"
+    menu_text = QT_TRANSLATE_NOOP("Sens_ImportReadings", "Import Readings…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_ImportReadings", "Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe"
+    )
+    guide = TaskReadings.guide
+    where = Where("loop", 10)
+
+    def run(self):
+        machine = current_machine()
+        path = messages.ask_open(
+            translate("Sens", "Import readings"), translate("Sens", "Tables (*.csv *.txt *.tsv);;All files (*)")
+        )
+        if path:
+            import_readings(machine, path)

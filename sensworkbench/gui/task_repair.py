@@ -13,21 +13,23 @@ import FreeCADGui as Gui
 from ..document import repair
 from ..document.base import alive
 from . import messages
+from .command import Command, Where, command
+from .panel import Panel
 from .panel import show as show_panel
-from .qt import Qt, QtGui, buttons, main_window, translate
+from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, main_window, translate
 from .viewproviders import dress
 
 
-class TaskRepair:
+class TaskRepair(Panel):
     """The panel; `findings` is what is wrong now."""
+
+    guide = "Good to know"
+    standard = ("Close",)
 
     def __init__(self, doc):
         self.document = doc
         self.findings: list[repair.Problem] = []
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensRepair")
-        self.form.setWindowTitle(translate("Sens", "Repair machine"))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Repair")))
+        self.make_form("SensRepair", translate("Sens", "Repair machine"), "Sens_Repair")
         page = QtGui.QVBoxLayout(self.form)
         self.note = QtGui.QLabel()
         self.note.setObjectName("SensNote")
@@ -91,13 +93,6 @@ class TaskRepair:
         for row in rows:
             Gui.Selection.addSelection(self.findings[row].obj)
 
-    def getStandardButtons(self):
-        return buttons("Close")
-
-    def reject(self):
-        Gui.Control.closeDialog()
-        return True
-
 
 def redress(doc) -> None:
     """Give every object of ours its view provider, damaged ones too, so that the tree shows how they are."""
@@ -140,3 +135,20 @@ def _open_for(name: str) -> None:
         App.setActiveDocument(name)
         open_panel(App.getDocument(name))
         main_window().activateWindow()
+
+
+@command
+class Repair(Command):
+    name = "Sens_Repair"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Repair", "Repair Machine…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Repair", "Says what is wrong with the objects of a machine and mends what can be mended"
+    )
+    needs, guide = "document", TaskRepair.guide
+    where = Where("machine", 60, toolbar=False)
+
+    def ready(self):
+        return repair.present(App.ActiveDocument)
+
+    def run(self):
+        open_panel(App.ActiveDocument)

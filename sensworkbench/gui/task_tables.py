@@ -13,13 +13,19 @@ from ..core.refusal import Refused
 from ..document import extract
 from ..formats.exchange import convert
 from . import messages
+from .command import Command, Where, command
+from .current import current_machine
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo
-from .qt import QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, QtGui, translate
 
 
-class TaskTables:
+class TaskTables(Panel):
     """The panel; `written` is what would be written in the chosen format, None where that is refused."""
+
+    guide = "8. Close the loop: readings in, the missing effect out"
+    standard = ("Close",)
 
     def __init__(self, machine):
         self.core = extract.core_machine(machine)  # refuses before anything is opened
@@ -29,10 +35,9 @@ class TaskTables:
                 translate("Sens", "Trace readings and add what was found first."),
             )  # fmt: skip
         self.written = None
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensTables")
-        self.form.setWindowTitle(translate("Sens", "Compensation tables of {name}").format(name=machine.Label))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Tables")))
+        self.make_form(
+            "SensTables", translate("Sens", "Compensation tables of {name}").format(name=machine.Label), "Sens_Tables"
+        )
         page = QtGui.QVBoxLayout(self.form)
         row = QtGui.QHBoxLayout()
         row.addWidget(QtGui.QLabel(translate("Sens", "Format")))
@@ -81,18 +86,23 @@ class TaskTables:
         messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
         return paths
 
-    def getStandardButtons(self):
-        return buttons("Close")
-
-    def reject(self):
-        import FreeCADGui as Gui
-
-        Gui.Control.closeDialog()
-        return True
-
 
 def open_panel(machine) -> TaskTables:
     """Open the panel for a machine with fitted errors."""
     panel = TaskTables(machine)
     show_panel(panel, machine.Document)
     return panel
+
+
+@command
+class Tables(Command):
+    name = "Sens_Tables"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Tables", "Export Compensation Tables…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Tables", "Writes the fitted errors as tables of a controller, and states what they cannot hold"
+    )
+    needs, guide = "fitted", TaskTables.guide
+    where = Where("loop", 80)
+
+    def run(self):
+        open_panel(current_machine())

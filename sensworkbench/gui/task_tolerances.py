@@ -14,9 +14,12 @@ from ..core.units import parse, shown
 from ..document import factory, tables
 from ..formats import tolerances as files
 from . import messages, settings
+from .command import Command, Where, command
+from .current import current_machine
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo
-from .qt import Qt, QtCore, QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, translate
 from .texts import body_name, distribution_name, error_meaning, plain, unit_sign
 
 SYMBOL, LOWER, UPPER, UNIT, LAW, OWNER, MEANING = range(7)
@@ -189,16 +192,17 @@ class Choice(QtGui.QStyledItemDelegate):
         model.setData(index, editor.itemData(editor.currentIndex()))
 
 
-class TaskTolerances:
+class TaskTolerances(Panel):
     """The panel."""
+
+    guide = "2. Tolerances"
 
     def __init__(self, machine):
         self.machine = machine
         self.model = ToleranceModel(machine, tables.read_tolerances(machine), tables.read_units(machine))
-        self.form = QtGui.QWidget()
-        self.form.setObjectName("SensTolerances")
-        self.form.setWindowTitle(translate("Sens", "Tolerances of {name}").format(name=machine.Label))
-        self.form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Tolerances")))
+        self.make_form(
+            "SensTolerances", translate("Sens", "Tolerances of {name}").format(name=machine.Label), "Sens_Tolerances"
+        )
         self.form.setMinimumWidth(360)
         layout = QtGui.QVBoxLayout(self.form)
         hint = QtGui.QLabel(
@@ -329,12 +333,7 @@ class TaskTolerances:
         if path:
             self.write_file(path)
 
-    def getStandardButtons(self):
-        return buttons("Ok", "Cancel")
-
     def accept(self):
-        import FreeCADGui as Gui
-
         try:
             tolerances, units = self.model.result()
         except Refused as error:
@@ -349,17 +348,11 @@ class TaskTolerances:
 
         if not messages.change(machine.Document, translate("Sens", "Tolerances"), write):
             return False
-        Gui.Control.closeDialog()
+        self.close()
         return True
 
     def leave(self):
         self.table.setModel(None)  # its rows name parts of the machine
-
-    def reject(self):
-        import FreeCADGui as Gui
-
-        Gui.Control.closeDialog()
-        return True
 
 
 def edit_tolerances(machine):
@@ -367,3 +360,15 @@ def edit_tolerances(machine):
     panel = TaskTolerances(machine)
     show_panel(panel, machine.Document)
     return panel
+
+
+@command
+class Tolerances(Command):
+    name = "Sens_Tolerances"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Tolerances", "Tolerances…")
+    tip = QT_TRANSLATE_NOOP("Sens_Tolerances", "Edits limits and distribution of every error in a table")
+    guide = TaskTolerances.guide
+    where = Where("machine", 50, tree=("Machine",), double=("Tolerances",))
+
+    def run(self):
+        edit_tolerances(current_machine())

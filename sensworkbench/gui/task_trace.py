@@ -14,17 +14,22 @@ from ..core.workspace import Cancelled
 from ..document import closed_loop, extract, factory
 from ..document.tree import added_effects
 from . import messages, residuals, trace_pages
+from .command import Command, Where, command
+from .current import current_table, current_trace
 from .live import Task
+from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo
-from .qt import QtCore, QtGui, buttons, translate
+from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 
 POLL, WATCH = 60, 600  # milliseconds
-last: list = []  # the panel that was opened last: its timers must outlive the command
 
 
-class TaskTrace:
+class TaskTrace(Panel):
     """The panel.  `table` : the Readings object.  With `start` a trace that is missing or out of date is begun."""
+
+    guide = "8. Close the loop: readings in, the missing effect out"
+    standard = ("Close",)
 
     def __init__(self, machine, table, start: bool = False):
         self.machine, self.table, self.document = machine, table, machine.Document.Name
@@ -47,10 +52,8 @@ class TaskTrace:
 
     # -- the form ----------------------------------------------------------------------------------------------------
     def _form(self):
-        form = QtGui.QWidget()
-        form.setObjectName("SensTrace")
-        form.setWindowTitle(translate("Sens", "Trace of {name}").format(name=self.table.Label))
-        form.setWindowIcon(QtGui.QIcon(messages.icon("Sens_Trace")))
+        title = translate("Sens", "Trace of {name}").format(name=self.table.Label)
+        form = self.make_form("SensTrace", title, "Sens_Trace")
         layout = QtGui.QVBoxLayout(form)
         words = translate("Sens", "{file}: {rows} readings at {points} places").format(
             file=self.table.Source, rows=self.readings.rows, points=self.readings.points
@@ -300,16 +303,6 @@ class TaskTrace:
             self._sync()
 
     # -- the panel ---------------------------------------------------------------------------------------------------
-    def getStandardButtons(self):
-        return buttons("Close")
-
-    def reject(self):
-        import FreeCADGui as Gui
-
-        self.leave()
-        Gui.Control.closeDialog()
-        return True
-
     def leave(self) -> None:
         self._watch.stop()
         self._poll.stop()
@@ -361,6 +354,69 @@ def ask_and_write(trace) -> list:
 def open_panel(table, start: bool = False):
     """Open the panel for a Readings object."""
     panel = TaskTrace(factory.owner_machine(table), table, start)
-    last[:] = [panel]
     show_panel(panel, table.Document)
     return panel
+
+
+@command
+class Fit(Command):
+    name = "Sens_Fit"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Fit", "Fit Declared Errors…")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Fit", "Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart"
+    )
+    needs, guide = "readings", TaskTrace.guide
+    where = Where("loop", 20, double=("Readings",))
+    start = False
+
+    def run(self):
+        open_panel(current_table(), self.start)
+
+
+@command
+class Trace(Fit):
+    name = "Sens_Trace"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Trace", "Trace…")
+    tip = QT_TRANSLATE_NOOP("Sens_Trace", "Searches for the effect that explains what the declared errors leave over")
+    where = Where("loop", 30, tree=("Readings",), double=("Trace",))
+    start = True
+
+
+@command
+class AddEffect(Command):
+    name = "Sens_AddEffect"
+    menu_text = QT_TRANSLATE_NOOP("Sens_AddEffect", "Add Effects")
+    tip = QT_TRANSLATE_NOOP("Sens_AddEffect", "Adds the found effects to the machine, each under its body")
+    needs, guide = "effects found", TaskTrace.guide
+    where = Where("loop", 40, tree=("Trace",))
+
+    def run(self):
+        add_effects(current_trace())
+
+
+@command
+class Residuals(Command):
+    name = "Sens_Residuals"
+    menu_text = QT_TRANSLATE_NOOP("Sens_Residuals", "Residuals")
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_Residuals", "Shows the residuals before and after as arrows in the workspace, or hides them"
+    )
+    needs, guide = "trace", TaskTrace.guide
+    where = Where("loop", 60, tree=("Trace",))
+
+    def run(self):
+        trace = current_trace()
+        hidden = trace.ViewObject.ShowResiduals == residuals.OFF
+        show_residuals(trace, residuals.BOTH if hidden else residuals.OFF)
+
+
+@command
+class TraceReport(Command):
+    name = "Sens_TraceReport"
+    menu_text = QT_TRANSLATE_NOOP("Sens_TraceReport", "Export Trace Report…")
+    tip = QT_TRANSLATE_NOOP("Sens_TraceReport", "Writes what was found as HTML and JSON, with the augmented machine")
+    needs, guide = "trace", TaskTrace.guide
+    where = Where("loop", 70, tree=("Trace",))
+
+    def run(self):
+        ask_and_write(current_trace())

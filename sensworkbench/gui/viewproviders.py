@@ -7,105 +7,20 @@ what must survive is in view properties.  Nothing is read in `attach`: propertie
 
 from __future__ import annotations
 
-import FreeCAD as App
+from pivy import coin
 
-from ..document.base import alive, kind_of
+from ..document.base import kind_of
 from . import settings
+from .arrows import Arrows
 from .colormap import MAPS
-from .files import icon_path, tree_icon
-from .qt import QtGui, later, soon, translate
-
-COLOUR_BY = {
-    "Mean": "ComponentTotal",
-    "Largest": "ComponentTotalMax",
-    "Variance weighted": "ComponentTotalWeighted",
-    "First order": "ComponentFirst",
-}
-MAP_SHOWS = ("Expected", "Upper estimate")
-MAP_FORMS = ("Points", "Slice X", "Slice Y", "Slice Z")
-CORNERS = ("Upper left", "Upper right", "Lower left", "Lower right")
-
-
-class ViewProviderSens:
-    """Base: an icon, a double click that opens the panel, a context menu, nothing stored."""
-
-    icon = "Sens_Machine"
-
-    def __init__(self, vobj):
-        vobj.Proxy = self
-
-    def attach(self, vobj):
-        self.name = (vobj.Object.Document.Name, vobj.Object.Name)
-
-    @property
-    def object(self):
-        """The document object, or None where it is gone."""
-        document, name = getattr(self, "name", ("", ""))
-        if document not in App.listDocuments():
-            return None
-        return App.getDocument(document).getObject(name)
-
-    def getIcon(self):
-        obj = self.object
-        return tree_icon(self.icon if obj is None or alive(obj) else DAMAGED)
-
-    def menu(self) -> list[tuple[str, str]]:
-        """(text, command) of the context menu."""
-        return []
-
-    def entries(self, obj) -> list[tuple[str, str]]:
-        """The context menu of an object as it is: a damaged one offers its repair as well."""
-        from ..document.repair import examine_object
-
-        damaged = examine_object(obj)
-        if any(finding.mendable for finding in damaged):
-            return [_repair(), *self.menu()]
-        return [*self.menu(), *([_repair()] if damaged else [])]
-
-    def setupContextMenu(self, vobj, menu):
-        for text, command in self.entries(vobj.Object):
-            action = QtGui.QAction(QtGui.QIcon(icon_path(command)), text, menu)
-            action.triggered.connect(_runner(command, vobj.Object))
-            menu.addAction(action)
-
-    def doubleClicked(self, vobj):
-        entries = self.entries(vobj.Object)
-        if not entries:
-            return False
-        _runner(entries[0][1], vobj.Object)()
-        return True
-
-    def dumps(self):
-        return None
-
-    def loads(self, state):
-        return None
-
-    def __getstate__(self):  # FreeCAD up to 0.21
-        return None
-
-    def __setstate__(self, state):
-        return None
-
-
-DAMAGED = "Sens_Damaged"
-
-
-def _repair() -> tuple[str, str]:
-    return translate("Sens", "Repair machine…"), "Sens_Repair"
-
-
-def _runner(command: str, obj):
-    def run(*_):
-        import FreeCADGui as Gui
-
-        from . import commands  # noqa: F401 - registers them where the workbench was not activated yet
-
-        Gui.Selection.clearSelection()
-        Gui.Selection.addSelection(obj)
-        Gui.runCommand(command, 0)
-
-    return run
+from .colours import restore
+from .display import update
+from .errormap import ErrorMap
+from .legend import Legend
+from .looks import COLOUR_BY, CORNERS, MAP_FORMS, MAP_SHOWS, VIEW_PROPERTIES
+from .qt import later, soon
+from .residuals import dress as dress_readings
+from .viewprovider_base import ViewProviderSens
 
 
 class ViewProviderMachine(ViewProviderSens):
@@ -115,18 +30,8 @@ class ViewProviderMachine(ViewProviderSens):
 
     def attach(self, vobj):
         super().attach(vobj)
-        from .arrows import Arrows
-
         self.arrows = Arrows()
         vobj.RootNode.addChild(self.arrows.root)
-
-    def menu(self):
-        return [
-            (translate("Sens", "Edit machine…"), "Sens_EditMachine"),
-            (translate("Sens", "Tolerances…"), "Sens_Tolerances"),
-            (translate("Sens", "Sensitivity"), "Sens_Sensitivity"),
-            (translate("Sens", "Jog…"), "Sens_Jog"),
-        ]
 
 
 class ViewProviderAxis(ViewProviderSens):
@@ -134,34 +39,19 @@ class ViewProviderAxis(ViewProviderSens):
 
     icon = "Sens_Axis"
 
-    def menu(self):
-        return [
-            (translate("Sens", "Edit axis…"), "Sens_EditMachine"),
-            (translate("Sens", "Jog…"), "Sens_Jog"),
-        ]
-
 
 class ViewProviderBody(ViewProviderSens):
     """The spindle or the workpiece."""
 
     icon = "Sens_Body"
 
-    def menu(self):
-        return [(translate("Sens", "Edit machine…"), "Sens_EditMachine")]
-
 
 class ViewProviderTolerances(ViewProviderSens):
     icon = "Sens_Tolerances"
 
-    def menu(self):
-        return [(translate("Sens", "Tolerances…"), "Sens_Tolerances")]
-
 
 class ViewProviderEffect(ViewProviderSens):
     icon = "Sens_Effect"
-
-    def menu(self):
-        return [(translate("Sens", "On or off"), "Sens_SwitchEffect")]
 
 
 class ViewProviderSensitivity(ViewProviderSens):
@@ -198,11 +88,6 @@ class ViewProviderSensitivity(ViewProviderSens):
 
     def attach(self, vobj):
         super().attach(vobj)
-        from pivy import coin
-
-        from .errormap import ErrorMap
-        from .legend import Legend
-
         self.legend, self.map = Legend(), ErrorMap()
         self._waiting = False
         group = coin.SoGroup()
@@ -231,8 +116,6 @@ class ViewProviderSensitivity(ViewProviderSens):
             self.schedule()
 
     def onDelete(self, vobj, subelements):
-        from .colours import restore
-
         if vobj.Object.Coloured:
             restore(vobj.Object)
         return True
@@ -247,25 +130,11 @@ class ViewProviderSensitivity(ViewProviderSens):
         try:
             obj = self.object
             if obj is not None and obj.ViewObject is not None:
-                from .display import update
-
                 update(obj, fresh=True)
         finally:
             self._waiting = False  # what the update itself has stored asks for no second one
 
-    def menu(self):
-        return [
-            (translate("Sens", "Review…"), "Sens_Review"),
-            (translate("Sens", "Compute again"), "Sens_Sensitivity"),
-            (translate("Sens", "Original colours"), "Sens_OriginalColours"),
-            (translate("Sens", "Export report…"), "Sens_Report"),
-        ]
 
-
-VIEW_PROPERTIES = (
-    "ColourBy", "ColourMap", "AutomaticRange", "RangeLower", "RangeUpper", "ShowLegend", "LegendCorner", "ShowErrorMap",
-    "ErrorMapShows", "ErrorMapAs", "ErrorMapAt",
-)  # fmt: skip
 _SHOWN = {"Coloured", "Stale", "Bodies", "Variance", "MeanSquare", *COLOUR_BY.values()}
 _VIEW = {*VIEW_PROPERTIES, "Visibility"}
 
@@ -282,8 +151,6 @@ PROVIDERS = {
 def dress(obj) -> None:
     """Give an object its view provider where it has none, or a property that an older file lacks."""
     if kind_of(obj) in ("Readings", "Trace") and getattr(obj, "ViewObject", None) is not None:
-        from .residuals import dress as dress_readings
-
         dress_readings(obj, kind_of(obj))
         attach_late(obj.ViewObject)
         return
@@ -306,8 +173,6 @@ def attach_late(view) -> None:
     """
     if hasattr(view.Proxy, "name"):
         return
-    from pivy import coin
-
     view.Proxy.attach(view)
     modes = view.SwitchNode
     if modes.getNumChildren() and not view.DisplayMode:

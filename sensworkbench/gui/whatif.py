@@ -15,7 +15,7 @@ from ..core import workspace
 from ..core.errors import AXES
 from ..core.refusal import Refused
 from ..document import extract, factory, results, tables
-from . import live, messages
+from . import display, live, messages
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, translate
 from .ranking import _Item, angular
@@ -275,8 +275,6 @@ class WhatIf(QtGui.QWidget):
 
     def apply(self) -> None:
         """Write what was tried to the document and compute it: one undo step."""
-        from .commands import compute_and_colour
-
         machine = self.machine
         if machine is None or self._then is None:
             return
@@ -292,7 +290,7 @@ class WhatIf(QtGui.QWidget):
             machine.Weights = App.Vector(*objective.weights)
             for name, offset in self.moved.items():
                 factory.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)
-            compute_and_colour(machine)
+            display.compute_and_colour(machine)
 
         if messages.change(machine.Document, translate("Sens", "Apply what-if"), change):
             self.changes, self.moved = {}, {}

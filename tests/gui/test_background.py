@@ -112,6 +112,51 @@ def test_a_command_that_ends_in_a_defect_says_so(machine, machine_doc, monkeypat
     run("Sens_Sensitivity")
     assert any("Sensitivity stopped: ZeroDivisionError" in m for m in messages())
     close_messages()
+    pump(50)
     for view in report_view():
         view.clear()
     assert differences(before, state(machine_doc)) == []
+
+
+def test_garbage_is_collected_while_a_task_runs_and_never_in_its_thread(workbench):
+    collected = []
+
+    class Circle:
+        def __init__(self):
+            self.itself = self
+
+        def __del__(self):
+            collected.append(threading.current_thread())
+
+    go_on = threading.Event()
+
+    def work(progress):
+        while not go_on.wait(0.01):
+            assert [[i] for i in range(20_000)]
+        return True
+
+    task = live.Task(work)
+    task.thread.start()
+    Circle()
+    end = time.monotonic() + 20
+    while not collected:
+        assert time.monotonic() < end, "nothing is collected while a task runs"
+        pump(50)
+        assert len([Circle for _ in range(20_000)]) == 20_000
+    assert task.thread.is_alive() and collected[0] is threading.main_thread()
+    go_on.set()
+    task.thread.join()
+    pump(50)
+    assert gc.isenabled()
+
+
+def test_two_tasks_at_once_leave_the_collector_on(workbench):
+    first, second = threading.Event(), threading.Event()
+    tasks = [live.Task(lambda _p, e=e: e.wait(20)) for e in (first, second)]
+    for task in tasks:
+        task.thread.start()
+    for task, event in zip(tasks, (first, second)):
+        event.set()
+        task.thread.join()
+        pump(50)
+    assert gc.isenabled()

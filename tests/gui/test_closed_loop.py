@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import time
 
+import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 import pytest
@@ -14,8 +15,8 @@ from sensworkbench.document import closed_loop, extract, factory
 from sensworkbench.formats import readings_csv
 from sensworkbench.gui import colours, residuals, task_trace
 from sensworkbench.gui import messages as gui_messages
-from sensworkbench.gui import panel as frame
 from sensworkbench.gui.qt import QtGui, pump
+from sensworkbench.gui.state import of as state_of
 from sensworkbench.gui.task_readings import COLUMN, TaskReadings, data, import_readings
 
 from ..document import simulated
@@ -241,7 +242,7 @@ def test_text_from_a_file_is_not_taken_for_markup(machine, traced):
 
 def _panel():
     """The panel that the last command opened."""
-    return task_trace.last[0]
+    return state_of(App.ActiveDocument).panel
 
 
 # -- effects -----------------------------------------------------------------------------------------------------------
@@ -395,7 +396,7 @@ def test_tables_are_written_once_errors_are_fitted(machine, machine_doc, traced,
     assert active("Sens_Tables")
     before, undos = state(machine_doc), machine_doc.UndoCount
     run("Sens_Tables")
-    panel = frame._open[0][0]
+    panel = state_of(App.ActiveDocument).panel
     assert isinstance(panel, task_tables.TaskTables)
     for name in convert.FORMATS:
         choose(panel.format, name)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import time
+from pathlib import Path
 
 import FreeCAD as App
 import FreeCADGui as Gui
@@ -12,54 +13,75 @@ import pytest
 
 from sensworkbench.document import factory
 from sensworkbench.gui import commands
+from sensworkbench.gui.command import GROUPS, NEEDS, REGISTRY
+from sensworkbench.gui.files import ROOT as FOLDER
 from sensworkbench.gui.qt import pump
 
 from .conftest import close_messages, differences, messages, run, screenshot, state
 
-NEEDS_MACHINE = {"Sens_EditMachine", "Sens_Tolerances", "Sens_Sensitivity", "Sens_Review", "Sens_Jog"}
-NEEDS_RESULT = {"Sens_OriginalColours", "Sens_ErrorMap", "Sens_Report"}
+ROOT = Path(FOLDER)
+
+
+def needing(*kinds: str) -> list:
+    """Names of the commands that need one of these; those behind the button of another one apart."""
+    return [c.name for c in REGISTRY.values() if c.needs in kinds and c.name not in commands.inside()]
 
 
 def active(name: str) -> bool:
-    return bool(next(c for c in commands.COMMANDS if c.name == name)().IsActive())
+    return bool(REGISTRY[name].IsActive())
 
 
-def test_every_command_has_icon_text_and_tips(workbench):
-    for kind in commands.COMMANDS:
-        found = kind().GetResources()
+def test_every_command_has_icon_text_tips_and_a_section_of_the_guide(workbench):
+    guide = (ROOT / "docs" / "guide.md").read_text(encoding="utf-8")
+    headings = {line.lstrip("# ") for line in guide.splitlines() if line.startswith("#")}
+    keys = [c.keys for c in REGISTRY.values() if c.keys]
+    assert len(set(keys)) == len(keys)
+    for command in REGISTRY.values():
+        found = command.GetResources()
         for key in ("MenuText", "ToolTip", "StatusTip", "WhatsThis"):
-            assert found[key], (kind.name, key)
-        assert kind.name.startswith("Sens_")
+            assert found[key], (command.name, key)
+        assert command.name.startswith("Sens_")
         assert os.path.getsize(found["Pixmap"]) < 10_000
-        assert kind.name in Gui.listCommands()
+        assert command.name in Gui.listCommands()
+        assert command.guide in headings, command.name
+        assert command.where.group in GROUPS and command.needs in NEEDS, command.name
 
 
-def test_menus_hold_every_command_once(workbench):
+def test_the_order_of_the_work_is_that_of_menu_and_toolbars(workbench):
     entries = [n for n in commands.menu() if n != "Separator"]
     assert len(set(entries)) == len(entries)
-    inside = {name for name in commands.Examples().GetCommands()}
-    assert set(entries) | inside == {c.name for c in commands.COMMANDS}
+    assert set(entries) | commands.inside() == {c.name for c in REGISTRY.values() if not c.hidden}
+    ranks = [(c.where.group, c.where.rank) for c in REGISTRY.values()]
+    assert len(set(ranks)) == len(ranks)
+    assert entries[0] == "Sens_Machine" and entries.index("Sens_Tolerances") < entries.index("Sens_Sensitivity")
+    titles = [title for title, _ in commands.toolbars()]
+    assert titles == ["Sens Machine", "Sens Analysis", "Sens Closed Loop"]
+    assert all(n in entries for _, names in commands.toolbars() for n in names)
+
+
+def test_the_table_of_commands_in_the_guide_is_that_of_the_registry(workbench):
+    guide = (ROOT / "docs" / "guide.md").read_text(encoding="utf-8")
+    assert commands.markdown() in guide, commands.markdown()
 
 
 def test_without_a_document_only_examples_can_be_made(workbench):
     for name in list(App.listDocuments()):
         App.closeDocument(name)
-    assert {c.name for c in commands.COMMANDS if c().IsActive()} == {
-        "Sens_Example", "Sens_ExampleXYFZ", "Sens_ExampleFXYZ", "Sens_ExampleYFXZ"
-    }  # fmt: skip
+    possible = {c.name for c in REGISTRY.values() if c.IsActive()}
+    assert possible == {c.name for c in REGISTRY.values() if c.needs == "nothing"}
+    assert {"Sens_Example", "Sens_ExampleXYFZ"} <= possible and "Sens_Machine" not in possible
 
 
-def test_greyed_until_there_is_a_machine_and_a_result(doc, workbench):
+def test_greyed_until_there_is_what_they_need(doc, workbench):
     assert active("Sens_Machine")
-    assert not any(active(n) for n in NEEDS_MACHINE | NEEDS_RESULT)
+    assert not any(active(n) for kind in NEEDS if kind not in ("nothing", "document") for n in needing(kind))
 
 
 def test_the_first_steps_are_offered_until_there_is_a_machine(doc, workbench):
     from sensworkbench.gui import first_steps
 
     box = first_steps.Begin()
-    assert box.shouldShow() and set(box.commands) <= {c.name for c in commands.COMMANDS}
-    assert first_steps._shown
+    assert box.shouldShow() and set(box.commands) <= set(REGISTRY)
     run("Sens_ExampleXYFZ")
     assert not box.shouldShow()
     App.ActiveDocument.undo()
@@ -67,10 +89,10 @@ def test_the_first_steps_are_offered_until_there_is_a_machine(doc, workbench):
 
 
 def test_with_a_machine(machine, machine_doc):
-    assert all(active(n) for n in NEEDS_MACHINE)
-    assert not any(active(n) for n in NEEDS_RESULT)
+    assert all(active(n) for n in needing("machine"))
+    assert not any(active(n) for n in needing("result", "colours"))
     run("Sens_Sensitivity")
-    assert all(active(n) for n in NEEDS_RESULT)
+    assert all(active(n) for n in needing("result", "colours"))
 
 
 @pytest.mark.parametrize("command", ["Sens_Tolerances", "Sens_EditMachine", "Sens_Jog"])
@@ -123,7 +145,7 @@ def test_an_example_is_one_undo_step(doc, workbench, code):
 
 
 def test_a_document_without_a_machine_is_refused_with_one_message(doc, workbench):
-    commands.Sensitivity().Activated()
+    REGISTRY["Sens_Sensitivity"].Activated()
     assert len(messages()) == 1 and "holds no machine" in messages()[0]
     close_messages()
     assert not doc.Objects

@@ -13,8 +13,8 @@ import pytest
 from sensworkbench.core import workspace
 from sensworkbench.document import closed_loop, extract, factory, tables
 from sensworkbench.gui import colormap, colours, display, pointers, proposal, review, settings
-from sensworkbench.gui import panel as frame
 from sensworkbench.gui.qt import pump
+from sensworkbench.gui.state import of as state_of
 from sensworkbench.gui.task_jog import TaskJog
 from sensworkbench.gui.task_machine import TaskMachine, new_machine
 from sensworkbench.gui.task_tolerances import LAW, LOWER, UNIT, UPPER, edit_tolerances
@@ -605,7 +605,7 @@ def test_undo_ends_a_panel_that_holds_a_transaction(machine, machine_doc, comman
     before = state(machine_doc)
     run(command)
     if command == "Sens_Jog":
-        frame._open[0][0].go("X", 100.0)
+        state_of(machine_doc).panel.go("X", 100.0)
         assert factory.axis_of(machine, "X").Position.Value == pytest.approx(100.0)
     else:
         machine.Squareness = "carried"

@@ -10,7 +10,8 @@ from pathlib import Path
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.gui import commands, files
+from sensworkbench.gui import files
+from sensworkbench.gui.command import REGISTRY
 from sensworkbench.gui.qt import QtCore, pump, translate
 
 ROOT = Path(files.ROOT)
@@ -43,7 +44,7 @@ def test_the_commands_follow_the_language_of_the_window(workbench):
     Gui.setLocale("German")
     try:
         assert translate("Sens_Sensitivity", "Sensitivity") == "Sensitivität"
-        assert commands.Sensitivity().GetResources()["MenuText"] == "Sensitivität"
+        assert REGISTRY["Sens_Sensitivity"].GetResources()["MenuText"] == "Sensitivität"
     finally:
         Gui.setLocale("English")
     assert translate("Sens_Sensitivity", "Sensitivity") == "Sensitivity"
