@@ -21,23 +21,30 @@ _FILE = re.compile(rb'(?<![\w:])file="([^"]+)"')
 
 @dataclass(frozen=True)
 class Contents:
-    """What a document's file declares: object name -> type; name -> module of its Python proxy; has it view data?"""
+    """What a document's file declares.
+
+    types : object name -> type.  modules : object name -> module of its Python proxy.  has_view : whether there is view
+    data.  shaped : names of the objects for which the file holds a shape that is not empty.
+    """
 
     types: dict[str, str]
     modules: dict[str, str]
     has_view: bool
+    shaped: frozenset[str] = frozenset()
 
 
 def read_contents(path) -> Contents:
     """Read the declarations of an FCStd file; refuses what is no FreeCAD document."""
     types: dict[str, str] = {}
     modules: dict[str, str] = {}
+    shapes: dict[str, str] = {}
     try:
         with zipfile.ZipFile(path) as archive:
-            has_view = VIEW in archive.namelist()
+            sizes = {info.filename: info.file_size for info in archive.infolist()}
+            has_view = VIEW in sizes
             with archive.open(DOCUMENT) as stream:
                 name = ""
-                inside = False
+                inside = shape = False
                 for event, element in ElementTree.iterparse(stream, events=("start", "end")):
                     if event == "start":
                         if element.tag == "Object":
@@ -46,13 +53,17 @@ def read_contents(path) -> Contents:
                                 types[name] = element.get("type", "")
                         elif element.tag == "Property":
                             inside = element.get("type") == "App::PropertyPythonObject"
+                            shape = element.get("name") == "Shape"
+                        elif element.tag == "Part" and shape and element.get("file"):
+                            shapes[name] = element.get("file", "")
                         elif element.tag == "Python" and inside and element.get("module"):
                             modules[name] = element.get("module", "")
                     elif element.tag == "Object":
                         element.clear()
     except (OSError, zipfile.BadZipFile, KeyError, ElementTree.ParseError, NotImplementedError, RuntimeError):
         raise Refused("is not a FreeCAD document", str(path), "Save it again in FreeCAD.") from None
-    return Contents(types, modules, has_view)
+    shaped = frozenset(name for name, file in shapes.items() if sizes.get(file, 0) > 0)
+    return Contents(types, modules, has_view, shaped)
 
 
 def keep_view(original, saved) -> bool:

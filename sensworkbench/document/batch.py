@@ -16,9 +16,9 @@ from pathlib import Path
 import FreeCAD as App
 
 from ..core.machine import Machine
-from ..core.refusal import Refused
 from ..core.workspace import Sensitivity
 from ..formats import fitted_json, provenance, study_files
+from ..messages import Message, Refused
 from ..studies.sensitivity import SensitivityRequest, sensitivity_study
 from . import (
     closed_loop,  # noqa: F401 - as objects
@@ -58,7 +58,7 @@ def open_document(path) -> Opened:
     """Open an FCStd file and find its machine.  Refuses, naming add-ons and objects."""
     path = Path(path)
     if not path.is_file():
-        raise Refused("cannot be read: no such file", str(path), "Check the name.")
+        raise Refused("document-file-missing", str(path))
     contents = read_contents(path)
     provenance.note_file(path)
     before = set(App.listDocuments())
@@ -66,13 +66,13 @@ def open_document(path) -> Opened:
         document = App.openDocument(str(path.absolute()))
     except Exception as error:  # noqa: BLE001 - FreeCAD raises whatever the damaged part makes it raise
         _close_new(before)
-        raise Refused(f"FreeCAD cannot open it ({str(error).strip()})", str(path), "Repair it in FreeCAD.") from None
+        raise Refused("document-cannot-be-opened", str(path), reason=str(error).strip()) from None
     try:
         _check_restored(document, contents, path)
         try:
             machine = machine_of(document)
         except Refused as error:
-            raise Refused(error.what, str(path), error.do) from None
+            raise Refused(error.code, str(path), **error.fields) from None
     except Refused:
         _close_new(before)
         raise
@@ -87,28 +87,25 @@ def _close_new(before) -> None:
 def _check_restored(document, contents: Contents, path) -> None:
     lost = [f"{n} ({t})" for n, t in contents.types.items() if document.getObject(n) is None]
     if lost:
-        raise Refused(
-            f"this FreeCAD does not know the type of {_some(lost)}",
-            str(path),
-            "Open it in the FreeCAD that made it, with the same workbenches.",
-        )
+        raise Refused("document-types-unknown", str(path), objects=_some(lost))
     blocked: dict[str, list[str]] = {}
     for name, module in contents.modules.items():
         obj = document.getObject(name)
         if getattr(obj, "Proxy", None) is None:
             blocked.setdefault(module, []).append(obj.Label)
     if blocked:
-        what = "; ".join(f"{_some(labels)} of {module!r}" for module, labels in blocked.items())
-        addons = ", ".join(sorted({module.split(".")[1 if module.startswith("freecad.") else 0] for module in blocked}))
-        raise Refused(
-            f"objects of a missing add-on did not come back, and saving would lose them: {what}",
-            str(path),
-            f"Install the add-on that provides {addons} in this FreeCAD.",
-        )
+        what = [Message("document-objects-of-module", objects=_some(x), module=module) for module, x in blocked.items()]
+        addons = sorted({module.split(".")[1 if module.startswith("freecad.") else 0] for module in blocked})
+        raise Refused("document-addon-missing", str(path), objects=what, addons=addons)
+    shapeless = [document.getObject(name) for name in sorted(contents.shaped)]
+    parts = [obj.Label for obj in shapeless if getattr(obj, "Shape", None) is None or obj.Shape.isNull()]
+    if parts:
+        raise Refused("document-solid-lost", str(path), parts=_some(parts))
 
 
-def _some(names) -> str:
-    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
+def _some(names) -> list | Message:
+    """The first five of many names."""
+    return names if len(names) <= 5 else Message("document-names-and-more", names=names[:5], count=len(names) - 5)
 
 
 def load_machine(path) -> tuple[Machine, Opened]:
@@ -151,7 +148,7 @@ def sensitivity(
             write_sensitivity(opened, work / "sensitivity.FCStd", study.sensitivity, study.machine)
 
         if (Path(folder) / "sensitivity.FCStd").exists() and (Path(folder) / "sensitivity.FCStd").samefile(path):
-            raise Refused("would be overwritten by its own result", str(path), "Choose another folder.")
+            raise Refused("document-result-is-input", str(path))
         return study_files.write_sensitivity(folder, study, angle_unit, picture, add_document, language)
 
 
@@ -200,7 +197,7 @@ def save_copy(opened: Opened, path_out) -> Path:
     """
     path_out = Path(path_out)
     if path_out.exists() and path_out.samefile(opened.path):
-        raise Refused("would overwrite its own input", str(path_out), "Choose another folder.")
+        raise Refused("document-result-is-input", str(path_out))
     put(opened.machine, "ViewPending", not opened.contents.has_view)
     added = {o.Name for o in opened.document.Objects if kind_of(o)} - set(opened.contents.types)
     put(opened.machine, "Unseen", sorted(added | set(opened.machine.Unseen)) if opened.contents.has_view else [])
@@ -208,7 +205,8 @@ def save_copy(opened: Opened, path_out) -> Path:
         path_out.parent.mkdir(parents=True, exist_ok=True)
         handle, name = tempfile.mkstemp(prefix=f".{path_out.stem}-", suffix=".FCStd", dir=path_out.parent)
     except OSError as error:
-        raise Refused(f"cannot be written: {error.strerror or error}", str(path_out), "Choose another place.") from None
+        reason = error.strerror or str(error)
+        raise Refused("document-cannot-be-written", str(path_out), reason=reason) from None
     os.close(handle)
     work = Path(name)
     try:

@@ -166,7 +166,7 @@ def test_objects_of_a_missing_add_on_are_named_and_nothing_is_written(saved, tmp
             out.writestr(name, text if name == "Document.xml" else source.read(name))
     with pytest.raises(Refused) as refusal:
         batch.load_machine(spoilt)
-    assert "gearworld" in refusal.value.message and "add-on" in refusal.value.message
+    assert (refusal.value.code, refusal.value.fields["addons"]) == ("document-addon-missing", ["gearworld"])
     assert "Spindle and tool" in refusal.value.message
 
 
@@ -180,6 +180,21 @@ def test_a_type_that_this_freecad_does_not_know_is_refused(saved, tmp_path):
                 out.writestr(name, changed if name == "Document.xml" else source.read(name))
     with pytest.raises(Refused, match="Quantum::Box"):
         batch.load_machine(strange)
+
+
+def test_a_damaged_solid_is_refused_by_name_instead_of_lost_in_the_copy(saved, tmp_path):
+    damaged = tmp_path / "damaged.FCStd"
+    with zipfile.ZipFile(saved) as source, zipfile.ZipFile(damaged, "w") as out:
+        shapes = {i.filename for i in source.infolist() if i.filename.endswith(".brp") and i.file_size}
+        assert shapes
+        for name in source.namelist():
+            out.writestr(name, b"garbage" if name == min(shapes) else source.read(name))
+    before = set(App.listDocuments())
+    with pytest.raises(Refused) as refusal:
+        batch.load_machine(damaged)
+    assert refusal.value.code == "document-solid-lost"
+    assert [label for label in refusal.value.fields["parts"] if label] and str(damaged) in refusal.value.message
+    assert set(App.listDocuments()) == before
 
 
 def test_documents_are_closed_again_when_refused(doc, tmp_path):
