@@ -155,6 +155,14 @@ def vector(value, where: str) -> tuple[float, float, float]:
     return x
 
 
+def check_name(name, where: str = "") -> None:
+    """Refuse what is not a capital letter and at most one digit, and the names that bodies have already."""
+    if not isinstance(name, str) or not NAME.fullmatch(name):
+        raise Refused("joint-name-invalid", where, name=repr(name)[:60])
+    if name in TAKEN:
+        raise Refused("joint-name-taken", where, name=name)
+
+
 @dataclass(frozen=True)
 class Joint:
     """One joint.
@@ -174,10 +182,7 @@ class Joint:
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731 - frozen dataclass
         where = f"axis {self.name}"
-        if not isinstance(self.name, str) or not NAME.fullmatch(self.name):
-            raise Refused("joint-name-invalid", where, name=repr(self.name)[:60])
-        if self.name in TAKEN:
-            raise Refused("joint-name-taken", where, name=self.name)
+        check_name(self.name, where)
         if isinstance(self.kind, str):
             if self.kind not in KINDS:
                 raise Refused("joint-kind-unknown", where, kind=repr(self.kind)[:60], known=list(KINDS))

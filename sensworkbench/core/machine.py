@@ -82,7 +82,7 @@ class Machine:
                 put(name, vector(getattr(self, name), name))
         if self.squareness not in SQUARENESS_CONVENTIONS:
             raise Refused("squareness-convention-unknown", "squareness", value=repr(self.squareness)[:60])
-        self._check_chains()
+        check_chains(self.names, self.workpiece_chain, self.tool_chain)
         self._check_directions()
         if self.frame_axes is not None:
             put("frame_axes", tuple(self.frame_axes))
@@ -96,23 +96,6 @@ class Machine:
                 raise Refused("source-name-taken", "sources", name=source.name)
             for symbol in source.factors:
                 self.component(symbol, f"source {source.name}")
-
-    def _check_chains(self):
-        where = "workpiece_chain / tool_chain"
-        chain, names = self.workpiece_chain + self.tool_chain, self.names
-        for name in names:
-            if names.count(name) > 1:
-                raise Refused("machine-joint-twice", "joints", name=name)
-        if not 1 <= len(names) <= MOST_JOINTS:
-            raise Refused("machine-joint-count", "joints", count=len(names), most=MOST_JOINTS)
-        for name in chain:
-            if name not in names:
-                raise Refused("chain-joint-unknown", where, name=repr(name)[:60], known=list(names))
-            if chain.count(name) > 1:
-                raise Refused("chain-joint-twice", where, name=name)
-        for name in names:
-            if name not in chain:
-                raise Refused("chain-joint-missing", where, name=name)
 
     def _check_directions(self):
         for a, b in itertools.combinations([j for j in self.joints if j.name in AXES and j.slides], 2):
@@ -371,6 +354,24 @@ class Machine:
         if symbol in self.declared:
             return self.declared[symbol]
         return 1 if self.component(symbol).line else 3
+
+
+def check_chains(names, workpiece_chain, tool_chain, where: str = "workpiece_chain / tool_chain") -> None:
+    """Refuse chains that do not name each of 1 to MOST_JOINTS joints once.  where : what refusals call the chains."""
+    chain = (*workpiece_chain, *tool_chain)
+    for name in names:
+        if names.count(name) > 1:
+            raise Refused("machine-joint-twice", "joints", name=name)
+    if not 1 <= len(names) <= MOST_JOINTS:
+        raise Refused("machine-joint-count", "joints", count=len(names), most=MOST_JOINTS)
+    for name in chain:
+        if name not in names:
+            raise Refused("chain-joint-unknown", where, name=repr(name)[:60], known=list(names))
+        if chain.count(name) > 1:
+            raise Refused("chain-joint-twice", where, name=name)
+    for name in names:
+        if name not in chain:
+            raise Refused("chain-joint-missing", where, name=name)
 
 
 _PARALLELS = str.maketrans("UVW", "XYZ")  # secondary linear axes are parallel to X, Y, Z (ISO 841)

@@ -64,15 +64,21 @@ def put(obj, name: str, value) -> None:
         value = [int(v) for v in value]
     elif kind == "App::PropertyStringList":
         value = [str(v) for v in value]
+    elif kind == "App::PropertyMap":
+        value = {str(k): str(v) for k, v in value.items()}
     if kind in _COMPARABLE and getattr(obj, name) == value:
+        return
+    if kind in _QUANTITIES and getattr(obj, name).Value == value:
         return
     setattr(obj, name, value)
 
 
 _COMPARABLE = {
     "App::PropertyVector", "App::PropertyFloatList", "App::PropertyStringList", "App::PropertyString",
-    "App::PropertyBool", "App::PropertyInteger", "App::PropertyFloat", "App::PropertyIntegerList",
+    "App::PropertyBool", "App::PropertyInteger", "App::PropertyFloat", "App::PropertyIntegerList", "App::PropertyMap",
+    "App::PropertyEnumeration",
 }  # fmt: skip
+_QUANTITIES = {"App::PropertyDistance", "App::PropertyLength", "App::PropertyAngle"}
 
 
 def numbers(vector) -> tuple[float, float, float]:
@@ -121,6 +127,19 @@ class SensObject:
     def migrate(self, obj, step: int) -> None:
         """From schema `step` to `step + 1`."""
 
+    def renew(self, obj, old: str, new: str, read: Callable = lambda value: value) -> None:
+        """Property `old` of an earlier schema becomes `new` (or the same name with another type).
+
+        read : the stored value -> that of the new property.
+        """
+        kinds = {p.name: f"App::Property{p.kind}" for p in self.properties}
+        if not hasattr(obj, old) or (old == new and obj.getTypeIdOfProperty(old) == kinds[new]):
+            return
+        value = read(getattr(obj, old))
+        obj.removeProperty(old)
+        self._declare(obj)
+        put(obj, new, value)
+
     def dumps(self):
         return None
 
@@ -158,6 +177,11 @@ def kind_of(obj) -> str:
 def alive(obj) -> bool:
     """False where the object was restored without its proxy (the add-on was missing)."""
     return isinstance(getattr(obj, "Proxy", None), SensObject)
+
+
+def made_by_newer(obj) -> bool:
+    """Whether an object of ours has a schema that this version does not know."""
+    return kind_of(obj) != "" and alive(obj) and obj.SchemaVersion > obj.Proxy.schema
 
 
 def members(group, kind: str) -> list:

@@ -29,6 +29,7 @@ class ReadingsObject(SensObject):
     """A table of readings as it was imported, with what its columns were taken for."""
 
     kind = "Readings"
+    schema = 2
     properties = (
         Property("FileIncluded", "Table", "Readings", "The table as it was imported", None, 0, READ_ONLY),
         result("String", "Source", "Name of the file"),
@@ -39,14 +40,19 @@ class ReadingsObject(SensObject):
         result("StringList", "Findings", "What was noticed while reading, with line numbers"),
         internal("String", "Mapping", "What each column was taken for and how the sign questions were answered, JSON",
                  "{}"),
-        internal("String", "Digest", "SHA-256 of the table"),
+        internal("String", "Sha256", "SHA-256 of the table"),
     )  # fmt: skip
+
+    def migrate(self, obj, step):
+        if step == 1:
+            self.renew(obj, "Digest", "Sha256")
 
 
 class TraceObject(SensObject):
     """What a trace found; its effects become objects under their bodies on request."""
 
     kind = "Trace"
+    schema = 2
     properties = (
         Property("Link", "Readings", "Trace", "The readings that were traced", None, 0, READ_ONLY),
         result("String", "Verdict", "nothing_to_explain, explained, partly_explained or unexplained"),
@@ -54,7 +60,8 @@ class TraceObject(SensObject):
         result("StringList", "Effects", "Effects that were found, by name"),
         result("FloatList", "RmsInSample", "3-D rms, um: uncorrected, declared model, with the effects"),
         result("FloatList", "RmsHeldOut", "The same on readings that took no part in the fit"),
-        result("VectorList", "Positions", "Programmed X, Y, Z of every point, mm"),
+        result("StringList", "Joints", "Names of the machine's joints"),
+        result("FloatList", "Positions", "Programmed position of every point, joint by joint, point after point"),
         result("VectorList", "ToolOffsets", "Tool offset of every point, mm, machine frame; empty: none"),
         result("VectorList", "Before", "Residual of the declared model at every point, held out, um, machine frame"),
         result("VectorList", "After", "The same with the effects"),
@@ -65,13 +72,19 @@ class TraceObject(SensObject):
         internal("FloatList", "Residuals", "One series after the other, one value per reading, um"),
         internal("StringList", "CovarianceNames", "Parameters of the fit"),
         internal("FloatList", "Covariance", "Their covariance, um and urad, row by row"),
-        internal("String", "Basis", "Digest of the machine that was traced"),
+        internal("String", "Inputs", "What of the machine the trace depends on, as JSON"),
         internal("StringList", "Added", "Names of the effect objects that were made from this trace"),
         internal("String", "FittedBefore", "The machine's fitted errors before the effects were added"),
     )
 
     def execute(self, obj):
         """Nothing: a trace is computed on command, never by a recompute."""
+
+    def migrate(self, obj, step):
+        if step == 1:  # positions by joint instead of vectors
+            self.renew(obj, "Positions", "Positions", lambda points: [v for p in points for v in (p.x, p.y, p.z)])
+            put(obj, "Joints", ["X", "Y", "Z"])
+            self.renew(obj, "Basis", "Inputs")
 
 
 # -- making ------------------------------------------------------------------------------------------------------------
@@ -97,7 +110,7 @@ def make_readings(machine, path, mapping=None, label: str | None = None):
     obj.Table = str(path)
     put(obj, "Source", path.name)
     put(obj, "Mapping", json.dumps(mapping or {}, sort_keys=True))
-    put(obj, "Digest", hashlib.sha256(path.read_bytes()).hexdigest())
+    put(obj, "Sha256", hashlib.sha256(path.read_bytes()).hexdigest())
     put(obj, "Points", readings.points)
     put(obj, "Rows", readings.rows)
     units = {name: readings.units.get(name, "") for name in readings.columns}
@@ -140,7 +153,8 @@ def make_trace(machine, readings_obj, outcome, traced):
     put(obj, "Effects", [e.name for e in outcome.machine.effects if e.name not in known])
     put(obj, "RmsInSample", [report["error"][s]["in_sample"]["rms_um"] for s in STAGES])
     put(obj, "RmsHeldOut", [report["error"][s]["held_out"]["rms_um"] for s in STAGES])
-    put(obj, "Positions", _vectors(readings.q))
+    put(obj, "Joints", traced.names)
+    put(obj, "Positions", readings.q.ravel())
     put(obj, "ToolOffsets", [] if readings.tool_offset is None else _vectors(readings.tool_offset))
     put(obj, "Before", _vectors(point_vectors(outcome, "declared_held_out")))
     put(obj, "After", _vectors(point_vectors(outcome, "augmented_held_out")))
@@ -151,7 +165,7 @@ def make_trace(machine, readings_obj, outcome, traced):
     names, matrix = outcome.covariance
     put(obj, "CovarianceNames", list(names))
     put(obj, "Covariance", matrix.ravel())
-    put(obj, "Basis", trace_inputs(traced))
+    put(obj, "Inputs", trace_inputs(traced))
     put(obj, "Added", [])
     put(obj, "FittedBefore", "")
     put(obj, "Stale", False)
@@ -193,6 +207,14 @@ def outcome_of(obj):
     return Outcome(report_of(obj), augmented(obj), readings, residuals, (names, matrix))
 
 
+def positions_of(obj):
+    """(P, n) programmed positions of the points of a Trace object, mm or rad, and (P, 3) tool offsets or None."""
+    import numpy as np
+
+    offsets = np.array([tuple(v) for v in obj.ToolOffsets]) if obj.ToolOffsets else None
+    return np.array(obj.Positions).reshape(-1, len(obj.Joints)), offsets
+
+
 def report_of(obj) -> dict:
     """trace.json of a Trace object."""
     return json.loads(obj.Report)
@@ -223,7 +245,7 @@ def add_effects(obj, names=None) -> list:
         raise Refused("trace-without-effects", obj.Label)
     if added_effects(obj):
         raise Refused("trace-effects-added", obj.Label)
-    if not same(obj.Basis, trace_inputs(core_machine(machine))):
+    if not same(obj.Inputs, trace_inputs(core_machine(machine))):
         raise Refused("trace-machine-changed", obj.Label)
     model = augmented(obj)
     made = [make_effect(machine, e) for e in model.effects if e.name in wanted]

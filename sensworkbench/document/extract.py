@@ -1,33 +1,39 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Placements -> lever arms: what the core needs to know of a machine, taken from where its parts stand.
+"""Placements -> lever arms: what the core needs to know of a machine, taken from where its parts are.
 
-The parts may stand away from home (`StandsAt` of each axis): a tool-side body is displaced by +q u of every axis up to
-it, a workpiece-side one by -q u, and home is where they would be without.  Coordinates are the document's, mm.
+The parts may be away from home (`StandsAt` of each axis): every body is displaced by the motions of the joints up to
+it, and home is where it would be with all joints at 0.  Coordinates are the document's, mm.
 """
 
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import FreeCAD as App
 import numpy as np
 
 from ..core import objectives, workspace
 from ..core.drivers import Effect
-from ..core.errors import AXES
-from ..core.joints import linear
-from ..core.machine import Machine
+from ..core.joints import KINDS, LINEAR, Joint
+from ..core.machine import Machine, check_chains
+from ..formats import fitted_json
 from ..messages import Refused
 from . import geometry, joints
-from .base import kind_of, numbers
+from .base import kind_of, made_by_newer, numbers
+from .kinematics import displacements, is_shift, motion, moved_back
 from .paths import Place, place
 from .tables import read_tolerances
 from .tree import (  # noqa: F401 - finders, for callers that still ask here
+    BED,
+    ENDS,
     all_parts,
     bodies,
     body_label,
     effects_of,
+    joint_names,
     lookup,
     owner_of,
     part_index,
@@ -53,183 +59,202 @@ def source_owner(index, source: Place) -> str | None:
 
 
 # -- chains ----------------------------------------------------------------------------------------------------------
-def check_chains(machine, owners=None, parts=None) -> dict[str, object]:
-    """Axis name -> axis object; refuses chains that are incomplete or name an axis twice."""
-    owners = bodies(machine) if owners is None else owners
-    parts = all_parts(machine, owners) if parts is None else parts
-    chain = list(machine.WorkpieceChain) + list(machine.ToolChain)
-    where = machine.Label
-    for name in chain:
-        if name not in AXES:
-            raise Refused(f"unknown axis {name!r} in a chain", where, "Use X, Y and Z, from the bed outwards.")
-        if chain.count(name) > 1:
-            raise Refused(
-                f"axis {name} stands twice in the chains", where, "Each axis carries the workpiece or the tool, once."
-            )
-    axes = {}
-    for name in AXES:
-        axis = owners.get(name)
-        if name not in chain:
-            raise Refused(
-                f"the chain does not connect: axis {name} is in neither chain",
-                where,
-                "Name it in WorkpieceChain or ToolChain, from the bed outwards.",
-            )
-        if axis is None:
-            raise Refused(
-                f"the chain does not connect: axis {name} has no axis object",
-                where,
-                f"Add axis {name} and its carriage.",
-            )
+def chain_axes(machine, owners, parts) -> dict[str, object]:
+    """Joint name -> axis object; refuses chains that do not fit the axis objects, and axes without a carriage.
+
+    owners, parts : what `tree.bodies` and `tree.all_parts` returned.
+    """
+    names = joint_names(owners)
+    workpiece_chain, tool_chain = tuple(machine.WorkpieceChain), tuple(machine.ToolChain)
+    for name in workpiece_chain + tool_chain:
+        if name not in names:
+            raise Refused("axis-object-missing", machine.Label, axis=name)
+    check_chains(names, workpiece_chain, tool_chain, machine.Label)
+    axes = {name: owners[name] for name in names}
+    for name, axis in axes.items():
+        if axis.Kind != LINEAR.name:
+            raise Refused("axis-kind-not-in-documents", machine.Label, axis=axis.Label, kind=axis.Kind)
         if not parts[name]:
-            raise Refused(
-                f"the chain does not connect: {axis.Label!r} has no carriage", where, "Choose the parts that it moves."
-            )
-        axes[name] = axis
+            raise Refused("axis-without-carriage", machine.Label, axis=axis.Label)
     return axes
 
 
-def upstream(machine, body: str) -> tuple[int, list[str]]:
-    """(sign, axes whose positions displace the body): +1 on the tool side, -1 on the workpiece side."""
-    if body == "F":
-        return 1, []
-    for sign, chain, end in ((1, list(machine.ToolChain), "T"), (-1, list(machine.WorkpieceChain), "W")):
+def carriers_of(machine, body: str) -> list[str]:
+    """The bodies that carry a body, itself among them, from the bed outwards."""
+    for chain, end in ((list(machine.ToolChain), "T"), (list(machine.WorkpieceChain), "W")):
         if body == end:
-            return sign, chain
+            return [BED, *chain, end]
         if body in chain:
-            return sign, chain[: chain.index(body) + 1]
-    return 1, []
+            return [BED, *chain[: chain.index(body) + 1]]
+    return [BED]
 
 
-def check_nesting(machine, index, parts=None) -> None:
+def check_nesting(machine, index, parts, owners) -> None:
     """Refuse a part inside the container of a body that does not carry it."""
-    for body, group in (all_parts(machine) if parts is None else parts).items():
+    for body, group in parts.items():
         for where in group:
             holder = lookup(index, where.key[:-1])
-            if holder is None or holder == body:
-                continue
-            carriers = ["F", *upstream(machine, body)[1]] + ([body] if body in "TW" else [])
-            if holder not in carriers:
-                raise Refused(
-                    f"{where.label!r} of {body_label(machine, body)} stands inside a part of "
-                    f"{body_label(machine, holder)}, which does not carry it",
-                    machine.Label,
-                    "Move it out of that container in the tree, or correct the chains.",
-                )
+            if holder is not None and holder != body and holder not in carriers_of(machine, body):
+                labels = {k: body_label(machine, b, owners) for k, b in (("body", body), ("holder", holder))}
+                raise Refused("part-inside-another-body", machine.Label, part=where.label, **labels)
 
 
 # -- the survey ------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Survey:
-    """What the placements say: the core machine at home, where things come from, which sources stand by themselves."""
+    """What the placements say at one moment: the core machine at home, and where everything comes from.
+
+    Made once for each change and handed to whoever needs it; `refresh.latest` gives the last one.
+    """
 
     core: Machine
-    position: np.ndarray  # (3,) where the parts stand
+    position: np.ndarray  # (n,) positions at which the parts are, mm or rad, in the order of core.names
     direction_from: dict[str, str]
     reference_from: dict[str, str]
-    index: dict[tuple, str]
-    loose: tuple[tuple[Place, str], ...]  # (source, body that names it)
-    owners: dict[str, object]  # X, Y, Z, T, W -> axis or body object
-    parts: dict[str, list[Place]]  # F, X, Y, Z, T, W -> where its parts stand
-    directions: dict[str, App.Vector]  # unit vectors of the axes
+    index: dict[tuple, str]  # occurrence of a part -> its body
+    loose: tuple[tuple[Place, str], ...]  # (source that belongs to no part, body that names it)
+    owners: dict[str, object]  # joint name, T, W -> axis or body object
+    parts: dict[str, list[Place]]  # F, joint names, T, W -> the occurrences of its parts
+    displacements: dict[str, App.Placement]  # F, joint names, T, W -> motion from home to where it is
+
+    @cached_property
+    def arms(self) -> dict[str, np.ndarray]:
+        """(1, 3) lever arm of every body at `position`, machine frame, mm."""
+        return self.core.lever_arms([self.position])
+
+    @cached_property
+    def home_arms(self) -> dict[str, np.ndarray]:
+        """(1, 3) lever arm of every body with all joints at 0, machine frame, mm."""
+        return self.core.lever_arms([[0.0] * len(self.core.joints)])
+
+    @property
+    def at(self) -> dict[str, float]:
+        """Joint name -> position at which its parts are, mm or rad."""
+        return dict(zip(self.core.names, self.position.tolist()))
 
 
-def directions(machine, axes, parts=None) -> tuple[dict[str, App.Vector], dict[str, str]]:
-    """Unit direction of every axis and what it was taken from."""
-    found, words = {}, {}
-    for name, axis in axes.items():
-        carriage = parts_of(machine, name) if parts is None else parts[name]
-        source = place(axis.DirectionSource) if axis.DirectionSource else carriage[0]
-        try:
-            if joints.is_joint(source.object):
-                vector, words[name] = joints.direction(source), f"slider {source.object.Label}"
-            else:
-                vector, words[name] = geometry.direction(source, axis.DirectionAlong, name)
-        except Refused as error:
-            raise error.at(axis.Label) from None
-        found[name] = vector * (-1.0 if axis.Reverse else 1.0)
-        if axis.Reverse:
-            words[name] += ", reversed"
-    return found, words
+@dataclass(frozen=True)
+class _Found:
+    """A direction or point where it is now, in document coordinates: source, value, and what it was taken from."""
+
+    source: Place
+    value: App.Vector
+    words: str
 
 
-def displacement(machine, body: str, u: dict[str, App.Vector], q: dict[str, float]) -> App.Vector:
-    """How far a body stands from home at position q (axis name -> mm)."""
-    sign, axes = upstream(machine, body)
-    total = App.Vector()
-    for name in axes:
-        total += u[name] * (sign * q[name])
-    return total
+def _direction(axis, name: str, parts) -> _Found:
+    """Unit direction of positive motion of an axis.  parts : of its carriage."""
+    source = place(axis.DirectionSource) if axis.DirectionSource else parts[0]
+    try:
+        if joints.is_joint(source.object):
+            vector, words = joints.direction(source), f"slider {source.object.Label}"
+        else:
+            vector, words = geometry.direction(source, axis.DirectionAlong, name)
+    except Refused as error:
+        raise error.at(axis.Label) from None
+    return _Found(source, vector * -1.0, f"{words}, reversed") if axis.Reverse else _Found(source, vector * 1.0, words)
+
+
+def _reference(owner, parts) -> _Found:
+    """Reference point of an axis or body object.  parts : its parts."""
+    try:
+        if not owner.ReferenceSource:
+            return _Found(*_own_reference(parts, owner.ReferenceAt))
+        source = place(owner.ReferenceSource)
+        if joints.is_joint(source.object):
+            side = joints.carried_side(source, parts)
+            return _Found(source, joints.frame(source, side).Base, f"joint {source.object.Label}")
+        return _Found(source, *geometry.point(source, owner.ReferenceAt))
+    except Refused as error:
+        raise error.at(owner.Label) from None
 
 
 def stands_at(machine, owners=None, parts=None) -> dict[str, float]:
-    """Axis name -> position at which its parts stand: as jogged, or as the slider of an assembly stands."""
+    """Joint name -> position of its parts, mm or rad: as jogged, or as the slider of an assembly is."""
     owners = bodies(machine) if owners is None else owners
+    parts = all_parts(machine, owners) if parts is None else parts
     found = {}
-    for name in AXES:
-        axis = owners.get(name)
-        if axis is not None:
-            slid = joints.position(machine, axis, parts_of(machine, name) if parts is None else parts[name])
-            found[name] = float(axis.StandsAt) if slid is None else slid
+    for name in joint_names(owners):
+        axis = owners[name]
+        slid = joints.position(machine, axis, parts[name])
+        if slid is None and not math.isfinite(axis.StandsAt):
+            raise Refused("axis-position-not-finite", axis.Label)
+        found[name] = KINDS[axis.Kind].to_internal * float(axis.StandsAt) if slid is None else slid
     return found
 
 
 def current_position(machine) -> np.ndarray:
-    """(3,) the position of X, Y, Z at which the parts stand."""
-    found = stands_at(machine)
-    return np.array([found.get(name, 0.0) for name in AXES])
+    """(n,) the positions of the joints at which the parts are, mm or rad; the order of the core machine's joints."""
+    return np.array(list(stands_at(machine).values()))
 
 
 def survey(machine) -> Survey:
-    """Read the placements; refuses, naming the objects, what is no serial three-axis machine."""
+    """Read the placements; refuses, naming the objects, what is not a serial machine."""
     if kind_of(machine) != "Machine":
-        raise Refused(f"{machine.Label!r} is no machine", machine.Label, "Select a machine.")
+        raise Refused("document-no-machine-object", machine.Label, name=machine.Label)
+    for obj in (machine, *machine.Group):
+        if made_by_newer(obj):
+            found = {"found": obj.SchemaVersion, "known": obj.Proxy.schema}
+            raise Refused("document-newer-schema", obj.Label, name=obj.Label, **found)
     owners = bodies(machine)
     parts = all_parts(machine, owners)
-    axes = check_chains(machine, owners, parts)
-    index = part_index(machine, parts)
-    check_nesting(machine, index, parts)
-    u, direction_from = directions(machine, axes, parts)
+    axes = chain_axes(machine, owners, parts)
+    index = part_index(machine, parts, owners)
+    check_nesting(machine, index, parts, owners)
     q = stands_at(machine, owners, parts)
-    loose, points, reference_from = [], {}, {}
+    ways = {name: _direction(axis, name, parts[name]) for name, axis in axes.items()}
+    references = {
+        body: _reference(owners[body], parts[body])
+        for body in (*axes, *ENDS)
+        if body in owners and (owners[body].ReferenceSource or parts[body])
+    }
+    at_home = {}
 
-    def home(source: Place, vector: App.Vector, named_by: str):
-        owner = source_owner(index, source)
+    def step(name, sign, found, carrier):
+        """Motion of a joint, from the line along which it moves as that is with all joints at 0."""
+        lines = []
+        for seen in (ways[name], references[name]):
+            owner = source_owner(index, seen.source)
+            lines.append(found.get(owner, found[carrier]))  # own, loose or further out: as its carrier
+        at_home[name] = _turned_back(lines[0], ways[name].value)
+        point = moved_back(lines[1], App.Placement(references[name].value, App.Rotation())).Base
+        return motion(KINDS[axes[name].Kind], at_home[name], point, sign * q[name])
+
+    displaced = displacements(machine.WorkpieceChain, machine.ToolChain, step)
+    loose = []
+
+    def home(seen: _Found, named_by: str):
+        owner = source_owner(index, seen.source)
         if owner is None:
-            loose.append((source, named_by))
+            loose.append((seen.source, named_by))
             owner = named_by
-        return numbers(vector - displacement(machine, owner, u, q))
+        return numbers(moved_back(displaced[owner], App.Placement(seen.value, App.Rotation())).Base)
 
-    for body in ("X", "Y", "Z", "T", "W"):
-        owner = owners.get(body)
-        if owner is None or not (owner.ReferenceSource or parts[body]):
-            continue
-        try:
-            if owner.ReferenceSource:
-                source = place(owner.ReferenceSource)
-                if joints.is_joint(source.object):
-                    side = joints.carried_side(source, parts[body])
-                    vector, words = joints.frame(source, side).Base, f"joint {source.object.Label}"
-                else:
-                    vector, words = geometry.point(source, owner.ReferenceAt)
-            else:
-                source, vector, words = _own_reference(parts[body], owner.ReferenceAt)
-        except Refused as error:
-            raise error.at(owner.Label) from None
-        points[body], reference_from[body] = home(source, vector, body), words
+    points = {body: home(seen, body) for body, seen in references.items()}
+    reference_from = {body: seen.words for body, seen in references.items()}
+    direction_from = {name: seen.words for name, seen in ways.items()}
     if not machine.ToolPoint:
-        raise Refused(
-            "the tool point is missing", machine.Label, "Choose a coordinate system, vertex or edge at the tool's tip."
-        )
+        raise Refused("tool-point-missing", machine.Label)
     source = place(machine.ToolPoint)
-    vector, _ = geometry.point(source, "Automatic")
-    core = _core(machine, axes, u, direction_from, points, home(source, vector, "T"))
-    offsets = {name: numbers(axis.ReferenceOffset) for name, axis in axes.items() if axis.ReferenceOffset.Length > 0}
-    if offsets:
-        core = with_offsets(core, offsets)
-        reference_from |= {name: reference_from[name] + ", moved" for name in offsets}
-    position = np.array([q[name] for name in AXES])
-    return Survey(core, position, direction_from, reference_from, index, tuple(loose), owners, parts, u)
+    tool_point = home(_Found(source, *geometry.point(source, "Automatic")), "T")
+    core = _core(machine, axes, at_home, direction_from, points, tool_point)
+    offsets = {name: numbers(axis.ReferenceOffset) for name, axis in axes.items()}
+    for name, offset in offsets.items():
+        if not all(math.isfinite(v) for v in offset):
+            raise Refused("reference-offset-not-finite", axes[name].Label, value=str(list(offset)))
+    for name, offset in offsets.items():
+        if any(offset):
+            try:
+                core = with_offsets(core, {name: offset})
+            except Refused as error:
+                raise error.at(axes[name].Label) from None
+            reference_from[name] += ", moved"
+    position = np.array([q[name] for name in core.names])
+    return Survey(core, position, direction_from, reference_from, index, tuple(loose), owners, parts, displaced)
+
+
+def _turned_back(motion: App.Placement, vector: App.Vector) -> App.Vector:
+    return vector if is_shift(motion) else motion.Rotation.inverted().multVec(vector)
 
 
 def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) -> Machine:
@@ -251,49 +276,53 @@ def _own_reference(parts, at):
     return parts[0], *geometry.point(parts[0], at)
 
 
-def _core(machine, axes, u, direction_from, points, tool_point) -> Machine:
-    described = {}
+def _core(machine, axes, directions, direction_from, points, tool_point) -> Machine:
+    described = []
     for name, axis in axes.items():
-        travel = (axis.TravelLower.Value, axis.TravelUpper.Value)
+        kind = KINDS[axis.Kind]
+        travel = tuple(kind.to_internal * limit.Value for limit in (axis.TravelLower, axis.TravelUpper))
         try:
-            described[name] = linear(name, numbers(u[name]), points[name], travel)
+            described.append(Joint(name, kind, numbers(directions[name]), points[name], travel))
         except Refused as error:
             raise error.at(axis.Label) from None
     try:
-        return Machine(
+        core = Machine(
             name=machine.Label,
             workpiece_chain=tuple(machine.WorkpieceChain),
             tool_chain=tuple(machine.ToolChain),
-            joints=described,
+            joints=tuple(described),
             tool_point=tool_point,
             spindle_reference=points.get("T"),
             workpiece_reference=points.get("W"),
             squareness=machine.Squareness,
-            tolerances=read_tolerances(machine),
             declared=_declared(machine),
             fitted=_fitted(machine),
             effects=tuple(core_effect(e) for e in effects_of(machine)),
             extra=_json(machine, "Extra", {}),
         )
+        return replace(core, tolerances=read_tolerances(machine, core))
     except Refused as error:
-        if "direction" in error.where:  # name the objects that the directions come from
-            named = [n for n in AXES if n in error.where.split("direction")[0].replace(",", " ").split()]
-            sources = "; ".join(f"{axes[n].Label}: {direction_from[n]}" for n in named)
-            raise Refused(f"{error.what} ({sources})", machine.Label, error.do) from None
+        if error.code in DIRECTION_CODES:  # name the objects that the directions come from
+            sources = [f"{axes[n].Label}: {direction_from[n]}" for n in (error.fields["a"], error.fields["b"])]
+            raise Refused(DIRECTION_CODES[error.code], machine.Label, **error.fields, sources=sources) from None
         raise error.at(machine.Label) from None
 
 
-def _fitted(machine):
-    from ..formats import fitted_json
+DIRECTION_CODES = {"machine-axes-parallel": "directions-parallel", "machine-axes-not-square": "directions-not-square"}
 
+
+def _fitted(machine):
     return fitted_json.loads(machine.Fitted, f"{machine.Label}, Fitted")
 
 
 def _declared(machine) -> dict[str, int]:
-    try:
-        return {symbol: int(degree) for symbol, degree in dict(machine.Declared).items()}
-    except ValueError:
-        raise Refused("a degree in Declared is no whole number", machine.Label, "Write 0, 1, 2 or 3.") from None
+    found = {}
+    for symbol, degree in dict(machine.Declared).items():
+        try:
+            found[symbol] = int(degree)
+        except ValueError:
+            raise Refused("declared-degree-not-a-number", machine.Label, symbol=symbol, value=repr(degree)) from None
+    return found
 
 
 def _json(obj, name, default):
@@ -303,7 +332,7 @@ def _json(obj, name, default):
     try:
         return json.loads(text)
     except ValueError:
-        raise Refused(f"{name} holds no JSON", obj.Label, "Fit or import it again.") from None
+        raise Refused("document-no-json", obj.Label, name=name) from None
 
 
 def core_effect(obj) -> Effect:
@@ -330,9 +359,11 @@ def positions(machine, core: Machine) -> workspace.Positions:
     """Where the indices are taken, as set on the machine."""
     try:
         if machine.Aggregate == "at":
-            return workspace.at(core, numbers(machine.At))
+            return workspace.at(core, list(machine.At) or [0.0] * len(core.joints))
         if machine.Aggregate == "grid":
             return workspace.grid(core, machine.Grid)
+        if machine.Aggregate == "low_discrepancy":
+            return workspace.low_discrepancy(core)
         return workspace.quadrature(core, machine.Order)
     except Refused as error:
-        raise error.at(machine.Label) from None
+        raise Refused(error.code, f"{machine.Label}, {machine.Aggregate}", **error.fields) from None

@@ -11,10 +11,12 @@ import json
 
 from ..core.drivers import SHAPES, Effect
 from ..core.errors import AXES, component
+from ..core.joints import check_name
 from ..messages import Refused
 from . import objects
 from .base import dress, put
 from .paths import as_links, as_sub
+from .refresh import latest
 from .tables import write_tolerances
 from .tree import (  # noqa: F401 - finders, for callers that still ask here
     BODY_LABELS,
@@ -61,12 +63,12 @@ def make_axis(
     machine, name, parts=(), *, travel=(-100.0, 100.0), direction=None, along="Automatic", reverse=False,
     reference=None, reference_at="Automatic",
 ):  # fmt: skip
-    """Axis X, Y or Z of a machine.  parts : the carriage.  direction, reference : sources, None for the parts' own.
+    """A linear axis of a machine.  name : a capital letter and at most one digit.  parts : the carriage.
 
+    direction, reference : sources, None for the parts' own.
     along : "Automatic", "Local X", "Local Y" or "Local Z".  reference_at : "Automatic", "Placement", "Centre of mass".
     """
-    if name not in AXES:
-        raise Refused(f"unknown axis {name!r}", machine.Label, "Axes are X, Y and Z.")
+    check_name(name, machine.Label)
     if axis_of(machine, name) is not None:
         raise Refused("axis-exists", machine.Label, axis=name)
     axis = _new(machine.Document, GROUP, objects.AxisObject, f"Axis{name}", f"Axis {name}")
@@ -98,16 +100,25 @@ def make_body(machine, name, parts=(), *, reference=None, reference_at="Automati
 
 
 def make_tolerances(machine):
-    """The tolerance table, filled with the paper's values."""
+    """The tolerance table; for axes X, Y, Z filled with the paper's values."""
     table = _new(machine.Document, FEATURE, objects.TolerancesObject, "Tolerances", None)
     machine.addObject(table)
-    write_tolerances(table, {})
+    if set(AXES) <= {*machine.WorkpieceChain, *machine.ToolChain} or not (machine.WorkpieceChain or machine.ToolChain):
+        write_tolerances(table, {})  # of another machine, errors that are not listed take the usual limits too
     return table
 
 
 def set_tolerances(machine, tolerances, units=None) -> None:
     """`tables.write_tolerances` to the machine's table, made where there is none."""
-    write_tolerances(tolerances_of(machine) or make_tolerances(machine), tolerances, units)
+    write_tolerances(tolerances_of(machine) or make_tolerances(machine), tolerances, units, _core(machine))
+
+
+def _core(machine):
+    """The core machine, or None where the machine cannot be computed (yet)."""
+    try:
+        return latest(machine).core
+    except Refused:
+        return None
 
 
 def make_sensitivity(machine, label="Sensitivity"):
@@ -119,7 +130,8 @@ def make_sensitivity(machine, label="Sensitivity"):
 
 def make_effect(machine, effect: Effect):
     """An effect object under the body whose component it drives."""
-    body = component(effect.component).body
+    core = _core(machine)
+    body = (component if core is None else core.component)(effect.component).body
     if effect.shape not in SHAPES:
         raise Refused(f"unknown shape {effect.shape!r}", f"effect {effect.name!r}", f"Use one of {', '.join(SHAPES)}.")
     owner = body_of(machine, body)

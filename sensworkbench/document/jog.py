@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Moving the axes: a carriage and all that it carries, in one go, always computed from where the parts stand at home.
+"""Moving the joints: a carriage and all that it carries, in one go, always computed from where the parts are at home.
 
-A tool-side body moves by +q u, a workpiece-side one by -q u.  Parts that something else drives (an expression, an
-attachment, a joint) are refused and nothing moves.  The caller opens the transaction.
+What a joint does is `kinematics`; here it becomes the Placement of each object.  Parts that something else drives (an
+expression, an attachment, a joint of an assembly) are refused and nothing moves.  The caller opens the transaction.
 """
 
 from __future__ import annotations
@@ -12,46 +12,46 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
-from ..core.errors import AXES
+from ..core.joints import KINDS
 from ..messages import Refused
-from .extract import check_chains, displacement, survey
+from . import kinematics
+from .extract import survey
 from .paths import Place
-from .tree import lookup, owner_machine
+from .tree import BED, body_label, lookup, owner_machine
 
 CLOSE = 1e-7  # mm: a part this close to where jogging left it has not been moved by hand
 
 
 def jog(machine, position: dict[str, float]) -> dict[str, float]:
-    """Drive the named axes to `position` (mm); returns the position of all three.  Refuses before anything moves."""
+    """Drive joints to `position` (name -> mm or rad); returns the position of all.  Refuses before anything moves."""
     found = survey(machine)
-    axes = {name: found.owners[name] for name in AXES}
-    old = dict(zip(AXES, found.position.tolist()))
-    new = old | {name: _within_travel(axes, name, value) for name, value in position.items()}
-    steps = _steps(machine, found, old, new)
+    new = found.at | checked(found, position)
+    steps = _steps(machine, found, new)
     homes = dict(zip(machine.HomeObjects, machine.HomePlacements))
     away_names, away_placements = [], []
     for step in steps:
         home = _home(step, homes.get(step.obj.Name))
-        target = App.Placement(home.Base + step.new, home.Rotation)
+        target = kinematics.moved(step.new, home)
         if not _coincide(step.obj.Placement, target, 0.0):
             step.obj.Placement = target
-        if step.new.Length > 0:
+        if not kinematics.is_still(step.new):
             away_names.append(step.obj.Name)
             away_placements.append(home)
     machine.HomeObjects = away_names
     machine.HomePlacements = away_placements
-    for name, axis in axes.items():
-        axis.StandsAt = float(new[name])
-        if axis.Position.Value != new[name]:
-            axis.Position = float(new[name])
+    for joint in found.core.joints:
+        axis, shown = found.owners[joint.name], float(joint.to_shown(new[joint.name]))
+        axis.StandsAt = shown
+        if axis.Position.Value != shown:
+            axis.Position = shown
     machine.touch()
     return new
 
 
 def home(machine) -> None:
-    """All axes to 0 (or the end of travel next to it)."""
-    axes = check_chains(machine)
-    jog(machine, {n: min(max(0.0, a.TravelLower.Value), a.TravelUpper.Value) for n, a in axes.items()})
+    """All joints to 0 (or the end of travel next to it)."""
+    joints = survey(machine).core.joints
+    jog(machine, {j.name: min(max(0.0, j.span[0]), j.span[1]) for j in joints})
 
 
 def position_edited(axis) -> None:
@@ -61,22 +61,26 @@ def position_edited(axis) -> None:
     if machine is None or value == axis.StandsAt or getattr(axis.Document, "Recomputing", False):
         return
     try:
-        jog(machine, {axis.Axis: value})
+        jog(machine, {axis.Axis: value * KINDS[axis.Kind].to_internal})
     except Refused as error:
         axis.Position = float(axis.StandsAt)
         App.Console.PrintError(f"{error.message}\n")
 
 
-def _within_travel(axes, name, value) -> float:
-    if name not in AXES:
-        raise Refused(f"unknown axis {name!r}", "jog", "Axes are X, Y and Z.")
-    axis, value = axes[name], float(value)
-    low, high = axis.TravelLower.Value, axis.TravelUpper.Value
-    if not (math.isfinite(value) and low - CLOSE <= value <= high + CLOSE):
-        raise Refused(
-            f"{value:g} mm is outside the travel {low:g} to {high:g} mm", axis.Label, "Stay inside the travel."
-        )
-    return value
+def checked(found, position: dict[str, float], close: float = CLOSE) -> dict[str, float]:
+    """`position` as numbers; refuses unknown joints and what is outside the travel by more than `close`.
+
+    found : `Survey`.  position : joint name -> mm or rad.
+    """
+    for name, value in position.items():
+        if name not in found.core.names:
+            raise Refused("jog-axis-unknown", "jog", axis=str(name), known=list(found.core.names))
+        joint = found.core.joint(name)
+        low, high = joint.span
+        if not (math.isfinite(value) and low - close <= value <= high + close):
+            shown = {k: joint.to_shown(float(v)) for k, v in (("value", value), ("low", low), ("high", high))}
+            raise Refused("jog-outside-travel", found.owners[name].Label, **shown, unit=joint.unit)
+    return {name: float(value) for name, value in position.items()}
 
 
 @dataclass(frozen=True)
@@ -84,48 +88,45 @@ class _Step:
     """One object with its displacement from home, old and new, in the coordinates its Placement is written in."""
 
     obj: App.DocumentObject
-    old: App.Vector
-    new: App.Vector
+    old: App.Placement
+    new: App.Placement
 
 
-def _steps(machine, found, old, new) -> list[_Step]:
+def _steps(machine, found, new) -> list[_Step]:
     riders = [(where, body) for body, parts in found.parts.items() for where in parts]
-    shifts = {body: [displacement(machine, body, found.directions, q) for q in (old, new)] for body in found.parts}
+    before, after = found.displacements, kinematics.of_machine(found.core, new)
     known = dict(found.index)
     for source, body in found.loose:
         whole = Place(source.root, source.path)
         other = known.setdefault(whole.key, body)
         if other != body:
-            raise Refused(
-                f"{whole.label!r} is a reference of {other} and of {body} but part of neither",
-                machine.Label,
-                "Make it part of one body, or give each body its own reference.",
-            )
+            labels = [body_label(machine, b, found.owners) for b in (other, body)]
+            raise Refused("jog-reference-of-two", machine.Label, part=whole.label, one=labels[0], other=labels[1])
         riders.append((whole, body))
     steps = {}
     for where, body in riders:
-        carrier = lookup(known, where.key[:-1]) or "F"
+        carrier = lookup(known, where.key[:-1]) or BED
         if body == carrier:
             continue
-        turn = where.parent_placement.Rotation.inverted()
-        shift = [turn.multVec(own - carried) for own, carried in zip(shifts[body], shifts[carrier])]
-        if shift[0] == shift[1]:
-            if shift[0].Length == 0:
+        container = kinematics.moved_back(before[carrier], where.parent_placement)  # with all joints at 0
+        old, now = (
+            kinematics.seen_from(kinematics.relative(at[body], at[carrier]), container) for at in (before, after)
+        )
+        if _coincide(old, now, 0.0):
+            if kinematics.is_still(old):
                 continue
         else:
             _check_movable(machine, where)
-        steps[where.key] = _Step(where.object, *shift)
+        steps[where.key] = _Step(where.object, old, now)
     return list(steps.values())
 
 
 def _home(step: _Step, stored: App.Placement | None) -> App.Placement:
-    """Where the object stands at home: as stored, unless it was moved by hand since."""
+    """Where the object is at home: as stored, unless it was moved by hand since."""
     now = step.obj.Placement
-    if stored is not None:
-        expected = App.Placement(stored.Base + step.old, stored.Rotation)
-        if _coincide(now, expected, CLOSE):
-            return stored
-    return App.Placement(now.Base - step.old, now.Rotation)
+    if stored is not None and _coincide(now, kinematics.moved(step.old, stored), CLOSE):
+        return stored
+    return kinematics.moved_back(step.old, now)
 
 
 def _coincide(a: App.Placement, b: App.Placement, tolerance: float) -> bool:
@@ -139,27 +140,24 @@ def _check_movable(machine, where: Place) -> None:
     obj, label = where.object, where.object.Label
     chain = where.chain
 
-    def refuse(what, do):
-        raise Refused(f"{label!r} {what}", machine.Label, do)
+    def refuse(code, **fields):
+        return Refused(code, machine.Label, part=label, **fields)
 
     for outer in chain[:-1]:
         if outer.isDerivedFrom("App::Link"):
-            refuse(
-                f"stands inside the link {outer.Label!r}: moving it would move it in every copy",
-                f"Name {outer.Label!r} itself as the carriage, or copy the parts into this machine.",
-            )
+            raise refuse("jog-part-inside-link", link=outer.Label)
     if obj.Document != machine.Document:
-        refuse("is in another document", "Bring it here with a link, and choose the link.")
+        raise refuse("jog-part-in-another-document")
     if not hasattr(obj, "Placement"):
-        refuse("has no placement", "Choose a part that can be moved.")
+        raise refuse("jog-part-without-placement")
     for path, expression in obj.ExpressionEngine:
         if path.lstrip(".").startswith(("Placement", "LinkPlacement", "AttachmentOffset")):
-            refuse(f"is driven by the expression {expression!r}", "Remove the expression from its Placement.")
+            raise refuse("jog-part-driven-by-expression", expression=expression)
     if getattr(obj, "MapMode", "Deactivated") != "Deactivated":
-        refuse("is attached to other geometry", "Detach it, or choose what it is attached to.")
+        raise refuse("jog-part-attached")
     joint = _joint_of(obj)
     if joint is not None:
-        refuse(f"is held by the joint {joint.Label!r}", "Drive it in the assembly, or suppress the joint.")
+        raise refuse("jog-part-held-by-joint", joint=joint.Label)
 
 
 def _joint_of(obj):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from ..core.distributions import DISTRIBUTIONS  # noqa: F401 - the values that `Distributions` takes
 from ..core.drivers import SHAPES
+from ..core.joints import KINDS, LINEAR
 from ..core.machine import SQUARENESS_CONVENTIONS
 from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
 from .base import Property, SensObject, internal, put, quiet, result
@@ -37,13 +38,14 @@ _OFFSETS = (
 
 
 class MachineObject(SensObject):
-    """A three-axis machine; the axes, the spindle, the workpiece, tolerances and results are in its Group."""
+    """A machine of one to six joints; axes, spindle, workpiece, tolerances and results are in its Group."""
 
     kind = "Machine"
+    schema = 2
     choices = {
         "Squareness": SQUARENESS_CONVENTIONS,
         "Output": ("position", "orientation"),
-        "Aggregate": ("quadrature", "grid", "at"),
+        "Aggregate": ("quadrature", "grid", "at", "low_discrepancy"),
     }
     properties = (
         Property("StringList", "WorkpieceChain", "Machine", "Axes that carry the workpiece, from the bed outwards"),
@@ -59,18 +61,16 @@ class MachineObject(SensObject):
                  "position"),
         Property("Vector", "Weights", "Objective", "Weights of the three components", (1.0, 1.0, 1.0)),
         Property("Bool", "Signed", "Objective", "Judge the weighted sum itself instead of the sum of squares", False),
-        Property("Enumeration", "Aggregate", "Objective", "Positions: quadrature over the travel, regular grid, or one",
-                 "quadrature"),
+        Property("Enumeration", "Aggregate", "Objective",
+                 "Positions: quadrature over the travel, regular grid, one, or a low-discrepancy set", "quadrature"),
         Property("Integer", "Order", "Objective", "Quadrature positions per axis", DEFAULT_ORDER),
         Property("Integer", "Grid", "Objective", "Grid positions per axis", DEFAULT_GRID),
-        Property("Vector", "At", "Objective", "The one position (X, Y, Z)", (0.0, 0.0, 0.0)),
+        Property("FloatList", "At", "Objective", "The one position: a value for each axis, X, Y, Z first; empty: 0"),
         result("String", "Structure", "Structure code from workpiece to tool, F for the bed"),
         result("Vector", "FunctionalPoint", "Functional point with all axes at 0, mm, document coordinates"),
-        result("Float", "SkewXY", "Angle between X and Y minus 90 degrees"),
-        result("Float", "SkewXZ", "Angle between X and Z minus 90 degrees"),
-        result("Float", "SkewYZ", "Angle between Y and Z minus 90 degrees"),
+        result("Map", "Skew", "Angle between two axes minus 90 degrees, for each pair of X, Y, Z"),
         result("String", "Problem", "Why the machine cannot be computed, and what to do; empty when it can"),
-        internal("String", "Fingerprint", "Digest of everything that the indices depend on"),
+        internal("String", "Inputs", "All that the indices depend on, as JSON"),
         internal("String", "Fitted", "Fitted errors as JSON"),
         internal("String", "Extra", "Further keys of machine.json as JSON"),
         internal("StringList", "HomeObjects", "Parts away from home"),
@@ -81,19 +81,35 @@ class MachineObject(SensObject):
         internal("StringList", "Unseen", "Our objects that were added without a window: to be shown on opening"),
     )  # fmt: skip
 
+    survey = None  # of the last recompute (`refresh.latest`); never stored
+
     def execute(self, obj):
         from .refresh import refresh
 
         refresh(obj)
 
+    def migrate(self, obj, step):
+        if step == 1:  # positions by joint instead of a vector; one map for the angles between the axes
+            self.renew(obj, "At", "At", lambda at: [at.x, at.y, at.z])
+            pairs = {k: getattr(obj, f"Skew{k}") for k in ("XY", "XZ", "YZ") if hasattr(obj, f"Skew{k}")}
+            for pair in pairs:
+                obj.removeProperty(f"Skew{pair}")
+            put(obj, "Skew", pairs)
+            self.renew(obj, "Fingerprint", "Inputs")
+            chosen = obj.Aggregate
+            obj.Aggregate = list(self.choices["Aggregate"])
+            obj.Aggregate = chosen
+
 
 class AxisObject(SensObject):
-    """A linear axis with its carriage; effects of this body are in its Group."""
+    """A joint of the machine with its carriage; effects of this body are in its Group."""
 
     kind = "Axis"
-    choices = {"Axis": ("X", "Y", "Z"), "DirectionAlong": DIRECTION_CHOICES, "ReferenceAt": REFERENCE_CHOICES}
+    schema = 2
+    choices = {"Kind": tuple(KINDS), "DirectionAlong": DIRECTION_CHOICES, "ReferenceAt": REFERENCE_CHOICES}
     properties = (
-        Property("Enumeration", "Axis", "Axis", "Which axis this is", "X", 0, 1),
+        Property("String", "Axis", "Axis", "Name of the axis: a capital letter and at most one digit", "X", 0, 1),
+        Property("Enumeration", "Kind", "Axis", "How it moves", LINEAR.name, 0, 1),
         Property("XLinkSubList", "Parts", "Axis", "The carriage: one or several parts that move as one"),
         Property("XLinkSub", "DirectionSource", "Direction",
                  "Where the direction is taken from: a coordinate system, datum, edge, face or part. Empty: the "
@@ -115,6 +131,10 @@ class AxisObject(SensObject):
         result("String", "DirectionFrom", "What the direction was taken from"),
         *_OFFSETS,
     )  # fmt: skip
+
+    def migrate(self, obj, step):
+        if step == 1:  # the name of an axis is no longer one of three
+            self.renew(obj, "Axis", "Axis")
 
     def onChanged(self, obj, name):
         if name == "Position" and not quiet(obj):
@@ -154,10 +174,11 @@ class SensitivityObject(SensObject):
     """Indices of a machine: what they were computed from, and whether that has changed since."""
 
     kind = "Sensitivity"
+    schema = 2
     properties = (
         result("Bool", "Stale", "The machine has changed since", True),
         result("StringList", "Symbols", "Errors"),
-        result("StringList", "Owners", "Body of each error: X, Y, Z, T, W"),
+        result("StringList", "Owners", "Body of each error: the name of a joint, T or W"),
         result("FloatList", "First", "First-order indices S, mean over the positions"),
         result("FloatList", "Total", "Total indices, mean over the positions"),
         result("FloatList", "TotalMax", "Largest total index over the positions"),
@@ -181,7 +202,7 @@ class SensitivityObject(SensObject):
         result("FloatList", "Upper", "Upper limit of each error, mm or rad"),
         result("StringList", "Units", "Unit each is shown in"),
         result("StringList", "Distributions", "Distribution of each error"),
-        internal("String", "Fingerprint", "Digest of the machine that was computed"),
+        internal("String", "Inputs", "What the indices were computed from, as JSON"),
         internal(
             "FloatList",
             "Moments",
@@ -194,6 +215,10 @@ class SensitivityObject(SensObject):
 
     def execute(self, obj):
         """Nothing: indices are computed on command, never by a recompute."""
+
+    def migrate(self, obj, step):
+        if step == 1:
+            self.renew(obj, "Fingerprint", "Inputs")
 
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)

@@ -6,10 +6,8 @@ Only output properties are written, so a recompute never causes another one; pla
 
 from __future__ import annotations
 
-from ..core.errors import AXES, BODIES
-from ..core.machine import Machine
 from ..messages import Refused
-from .base import members, put
+from .base import alive, members, put
 from .extract import Survey, survey
 from .joints import position
 from .staleness import TOLERANCE, mark_results, mark_traces, result_inputs
@@ -21,10 +19,11 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
 
     seen : a survey that the caller has just made, since when nothing has moved; default: one is made.
     """
+    _keep(machine, None)
     try:
         follow(machine)
         found = survey(machine) if seen is None else seen
-        _check_positions(machine, found.owners)
+        _check_positions(machine, found)
     except Refused as error:
         put(machine, "Problem", error.message)
         mark_results(machine, "")
@@ -33,51 +32,51 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     put(machine, "Problem", "")
     put(machine, "Structure", core.structure)
     put(machine, "FunctionalPoint", core.tool_point)
-    for pair, angle in core.skew_deg.items():
-        put(machine, f"Skew{pair}", angle)
-    local = core.lever_arms(found.position)
-    arms = {body: arm @ core.frame.T for body, arm in local.items()}
-    for body in BODIES:
-        obj = found.owners.get(body)
-        if obj is None:
-            continue
+    put(machine, "Skew", core.skew_deg)
+    for body, obj in found.owners.items():
+        arm = found.arms[body][0]
         put(obj, "ReferencePoint", _reference(core, body))
         put(obj, "ReferenceFrom", found.reference_from.get(body, "functional point" if body == "T" else "origin"))
-        put(obj, "AbbeOffset", arms[body][0])
-        for name, value in zip(AXES, local[body][0]):
-            _put_length(obj, f"AbbeOffset{name}", float(value))
-        if body in AXES:
-            put(obj, "Direction", core.axes[body].direction)
-            put(obj, "DirectionFrom", found.direction_from[body])
-    inputs = result_inputs(machine, core)
-    put(machine, "Fingerprint", inputs)
+        put(obj, "AbbeOffset", core.frame @ arm)
+        for letter, value in zip("XYZ", arm):
+            put(obj, f"AbbeOffset{letter}", float(value))
+    for name in core.names:
+        put(found.owners[name], "Direction", core.joint(name).direction)
+        put(found.owners[name], "DirectionFrom", found.direction_from[name])
+    inputs = result_inputs(machine, core, found.home_arms)
+    put(machine, "Inputs", inputs)
     mark_results(machine, inputs)
-    mark_traces(machine, core)
+    mark_traces(machine, core, found.home_arms)
+    _keep(machine, found)
     return found
 
 
-def _reference(core: Machine, body: str):
-    if body in AXES:
-        return core.axes[body].reference
-    if body == "T":
-        return core.spindle_reference or core.tool_point
-    return core.workpiece_reference or (0.0, 0.0, 0.0)
+def _keep(machine, found: Survey | None) -> None:
+    if alive(machine):
+        machine.Proxy.survey = found
 
 
-def _put_length(obj, name, value):
-    if getattr(obj, name).Value != value:
-        setattr(obj, name, value)
+def _reference(core, body: str):
+    """Reference point of a body with all joints at 0, document coordinates."""
+    ends = {"T": core.spindle_reference or core.tool_point, "W": core.workpiece_reference or (0.0, 0.0, 0.0)}
+    return ends[body] if body in ends else core.joint(body).point
 
 
-def _check_positions(machine, owners):
-    for name in AXES:
-        axis = owners[name]
-        if abs(axis.Position.Value - axis.StandsAt) > TOLERANCE:
-            raise Refused(
-                f"{axis.Label!r} is to stand at {axis.Position.Value:g} mm but stands at {axis.StandsAt:g} mm",
-                machine.Label,
-                "Jog it (a position driven by an expression cannot move parts).",
-            )
+def latest(machine) -> Survey:
+    """The survey of the last recompute where nothing has been touched since, else a new one; refuses as `survey`."""
+    kept = machine.Proxy.survey if alive(machine) else None
+    if kept is not None and not any("Touched" in o.State for o in (machine, *machine.OutListRecursive)):
+        return kept
+    return survey(machine)
+
+
+def _check_positions(machine, found: Survey):
+    for joint in found.core.joints:
+        axis = found.owners[joint.name]
+        wanted, actual = axis.Position.Value, axis.StandsAt
+        if abs(wanted - actual) > TOLERANCE:
+            fields = {"wanted": wanted, "actual": actual, "unit": joint.unit}
+            raise Refused("position-not-reached", machine.Label, axis=axis.Label, **fields)
 
 
 def follow(machine) -> None:

@@ -8,16 +8,17 @@ may have been edited or cut off.  `examine` only looks; `repair` mends and says 
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import dataclass
 
-from ..core.errors import AXES, component
+from ..core.errors import AXES, COMPONENTS, canonical
 from ..messages import Refused
 from . import closed_loop, objects, tables
-from .base import SensObject, alive, dress, kind_of, members, put
+from .base import SensObject, alive, dress, kind_of, made_by_newer, members, numbers, put
 from .factory import make_tolerances
 from .paths import place, places
-from .refresh import refresh
-from .tree import BODY_LABELS, body_of, machines, owner_machine, tolerances_of
+from .refresh import latest, refresh
+from .tree import bodies, machines, owner_machine, tolerances_of
 
 CLASSES = {
     c.kind: c
@@ -113,11 +114,16 @@ def _examine(obj):
     elif obj.Proxy.kind != cls.kind:
         yield Problem(obj, Refused("problem-wrong-class", called=cls.kind, found=obj.Proxy.kind), False)
         return
+    if made_by_newer(obj):
+        newer = Refused("problem-newer-schema", found=obj.SchemaVersion, known=cls.schema)
+        yield Problem(obj, newer, False)
+        return
     missing = [p.name for p in cls.properties if not hasattr(obj, p.name)]
     if missing or kind_of(obj) == "":
         yield Problem(obj, Refused("problem-missing-properties", names=missing or ["SensType"]), True)
+    older = getattr(obj, "SchemaVersion", cls.schema) < cls.schema  # what differs is brought up to date
     for p in cls.properties:
-        if p.name not in missing and obj.getTypeIdOfProperty(p.name) != f"App::Property{p.kind}":
+        if not older and p.name not in missing and obj.getTypeIdOfProperty(p.name) != f"App::Property{p.kind}":
             was = obj.getTypeIdOfProperty(p.name).replace("App::Property", "")
             yield Problem(obj, Refused("problem-property-type", name=p.name, found=was, wanted=p.kind), False)
     look = {"Machine": _machine, "Axis": _axis, "Body": _body, "Tolerances": _table, "Sensitivity": _result,
@@ -129,8 +135,9 @@ def _examine(obj):
 def _machine(obj):
     if tolerances_of(obj) is None:
         yield Problem(obj, Refused("problem-no-tolerance-table"), True)
-    for name in (*AXES, *BODY_LABELS):
-        same = [o for kind in ("Axis", "Body") for o in members(obj, kind) if getattr(o, kind, "") == name]
+    found = [(getattr(o, kind, ""), o) for kind in ("Axis", "Body") for o in members(obj, kind)]
+    for name in sorted({name for name, _ in found}):
+        same = [o for other, o in found if other == name]
         if len(same) > 1:
             what = Refused("problem-body-repeated", body=name, count=len(same), machine=obj.Label)
             yield Problem(same[-1], what, False)
@@ -146,6 +153,8 @@ def _machine(obj):
 
 
 def _axis(obj):
+    if not all(math.isfinite(v) for v in numbers(obj.ReferenceOffset)):
+        yield Problem(obj, Refused("problem-number-not-finite", name="ReferenceOffset"), False)
     if owner_machine(obj) is None:
         yield Problem(obj, Refused("problem-no-machine"), False)
     if not places(obj.Parts):
@@ -182,10 +191,9 @@ def _table(obj):
     columns = [list(getattr(obj, name)) for name in tables.COLUMNS]
     if len({len(c) for c in columns}) > 1:
         yield Problem(obj, Refused("problem-table-uneven"), True)
+    known = _symbols(owner_machine(obj))
     for symbol in obj.Symbols:
-        try:
-            component(symbol)
-        except Refused:
+        if canonical(symbol) not in known:
             yield Problem(obj, Refused("problem-row-unknown", symbol=symbol), True)
 
 
@@ -197,10 +205,8 @@ def _result(obj):
 
 def _effect(obj):
     yield from _json(obj, "Parameters")
-    try:
-        component(obj.Component)
-    except Refused as error:
-        yield Problem(obj, error.at("Component"), False)
+    if canonical(obj.Component) not in _symbols(owner_machine(obj)):
+        yield Problem(obj, Refused("problem-component-unknown", symbol=obj.Component), False)
 
 
 def _json(obj, name):
@@ -210,6 +216,14 @@ def _json(obj, name):
             json.loads(text)
         except ValueError:
             yield Problem(obj, Refused("problem-no-json", name=name), False)
+
+
+def _symbols(machine) -> set[str]:
+    """Names of the errors of axes X, Y, Z, and of the machine where it can be computed."""
+    try:
+        return set(COMPONENTS) | {c.symbol for c in latest(machine).core.components}
+    except (Refused, AttributeError):  # no machine, or one that lost its properties
+        return set(COMPONENTS)
 
 
 # -- mending ---------------------------------------------------------------------------------------------------------
@@ -228,27 +242,22 @@ def _mend(obj) -> None:
         for names in RESULT_LISTS:
             for name in names:
                 put(obj, name, [])
-        put(obj, "Fingerprint", "")
+        put(obj, "Inputs", "")
         put(obj, "Stale", True)
     elif cls.kind == "Machine" and len(obj.HomeObjects) != len(obj.HomePlacements):
         obj.HomeObjects, obj.HomePlacements = [], []
-        for name in AXES:
-            axis = body_of(obj, name)
-            if axis is not None:
-                axis.StandsAt = 0.0
-                axis.Position = 0.0
+        for axis in members(obj, "Axis"):
+            axis.StandsAt = 0.0
+            axis.Position = 0.0
 
 
 def _mend_table(obj) -> None:
-    rows = []
+    rows, known = [], _symbols(owner_machine(obj))
     for row in zip(*[list(getattr(obj, name)) for name in tables.COLUMNS]):
-        try:
-            component(row[0])
-        except Refused:
-            continue
-        rows.append(row)
+        if canonical(row[0]) in known:
+            rows.append(row)
     for k, name in enumerate(tables.COLUMNS):
         put(obj, name, [row[k] for row in rows])
     machine = owner_machine(obj)
-    if machine is not None:
+    if machine is not None and set(AXES) <= set(bodies(machine)):  # of another machine, rows may be missing
         tables.write_tolerances(obj, tables.read_tolerances(machine))

@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Indices in and out of the document: compute, store in a Sensitivity object, read back."""
+"""Indices in and out of the document: one `Result` per computation, written to and read from a Sensitivity object."""
 
 from __future__ import annotations
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..core import objectives, workspace
-from ..core.errors import component
+from ..core.distributions import Tolerance
 from ..core.machine import Machine
+from ..messages import Refused
 from .base import numbers, put
-from .extract import Survey, core_machine, objective, positions, survey
+from .extract import Survey, core_machine, objective, positions
 from .factory import make_sensitivity
-from .refresh import refresh
+from .refresh import latest, refresh
 from .staleness import result_inputs
 from .tables import read_units
 from .tree import sensitivity_of
@@ -21,6 +24,21 @@ PER_ERROR = {
     "TotalWeighted": "total_vw", "ComponentFirst": "component_first", "ComponentTotal": "component_total",
     "ComponentTotalMax": "component_total_max", "ComponentTotalWeighted": "component_total_vw",
 }  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Result:
+    """What one computation gave: the indices, and what they were computed from.
+
+    laws, units : tolerance of each error (mm, rad) and the unit in which it is shown, in the order of the indices.
+    squareness : convention.  inputs : JSON of all that the indices depend on (`staleness.result_inputs`).
+    """
+
+    indices: workspace.Sensitivity
+    laws: tuple[Tolerance, ...]
+    units: tuple[str, ...]
+    squareness: str
+    inputs: str
 
 
 def compute(machine, progress=None, *, estimate: bool = True):
@@ -34,8 +52,11 @@ def compute(machine, progress=None, *, estimate: bool = True):
 
 
 def compute_at_once(machine, limit: int):
-    """`compute` on one survey and without an estimate, for live work; None for more than `limit` positions."""
-    seen = survey(machine)
+    """`compute` on the survey of the last recompute and without an estimate, for live work.
+
+    Returns None for more than `limit` positions.
+    """
+    seen = latest(machine)
     where = positions(machine, seen.core)
     if len(where.q) > limit:
         return None
@@ -50,10 +71,36 @@ def store(machine, found: workspace.Sensitivity, core: Machine, seen: Survey | N
     seen : the survey that `core` is from, where nothing has moved since; default: the machine is surveyed again, and
     what has moved in between leaves the result stale.
     """
+    _check_finite(machine, found)
     _take_settings(machine, found)
     obj = sensitivity_of(machine) or make_sensitivity(machine)
-    labels, columns, owners, laws = workspace.error_table(core)
+    result = make_result(machine, found, core, seen)
+    write(obj, result)
+    if seen is None or machine.Inputs != result.inputs:
+        refresh(machine, seen)
+    return obj
+
+
+def _check_finite(machine, found: workspace.Sensitivity) -> None:
+    values = {name: getattr(found, attribute) for name, attribute in PER_ERROR.items()}
+    values |= {"MeanSquare": found.mean_square, "Variance": found.variance}
+    names = [name for name, numbers_ in values.items() if not np.all(np.isfinite(numbers_))]
+    if names:
+        raise Refused("indices-not-finite", machine.Label, names=names)
+
+
+def make_result(machine, found: workspace.Sensitivity, core: Machine, seen: Survey | None = None) -> Result:
+    """The `Result` of indices that were computed as set on the machine.  seen : the survey that `core` is from."""
+    labels, columns, _, laws = workspace.error_table(core)
     units = read_units(machine)
+    shown = tuple(units.get(label) or core.component(c).unit for label, c in zip(labels, columns))
+    inputs = result_inputs(machine, core, None if seen is None else seen.home_arms)
+    return Result(found, tuple(laws), shown, core.squareness, inputs)
+
+
+def write(obj, result: Result) -> None:
+    """Store a result in a Sensitivity object."""
+    found = result.indices
     put(obj, "Symbols", found.symbols)
     put(obj, "Owners", found.owners)
     put(obj, "Bodies", found.bodies)
@@ -69,39 +116,40 @@ def store(machine, found: workspace.Sensitivity, core: Machine, seen: Survey | N
     put(obj, "Aggregate", found.positions.kind)
     at = found.positions.kind == "at"
     put(obj, "Points", found.positions.q[0] if at else found.positions.counts)
-    put(obj, "Squareness", core.squareness)
-    put(obj, "Lower", [t.lower for t in laws])
-    put(obj, "Upper", [t.upper for t in laws])
-    put(obj, "Units", [units.get(label) or component(c).unit for label, c in zip(labels, columns)])
-    put(obj, "Distributions", [t.distribution for t in laws])
-    put(obj, "Fingerprint", result_inputs(machine, core))
+    put(obj, "Squareness", result.squareness)
+    put(obj, "Lower", [t.lower for t in result.laws])
+    put(obj, "Upper", [t.upper for t in result.laws])
+    put(obj, "Units", result.units)
+    put(obj, "Distributions", [t.distribution for t in result.laws])
+    put(obj, "Inputs", result.inputs)
     put(obj, "Stale", False)
-    refresh(machine, seen)
-    return obj
 
 
 def _take_settings(machine, found: workspace.Sensitivity) -> None:
-    for name, value in (("Output", found.objective.output), ("Aggregate", found.positions.kind)):
-        if getattr(machine, name) != value:
-            setattr(machine, name, value)
+    put(machine, "Output", found.objective.output)
+    put(machine, "Aggregate", found.positions.kind)
     put(machine, "Weights", found.objective.weights)
     put(machine, "Signed", bool(found.objective.signed))
     counts = found.positions.counts
     if found.positions.kind == "at":
         put(machine, "At", found.positions.q[0])
-    elif len(set(counts)) == 1:
-        put(machine, "Order" if found.positions.kind == "quadrature" else "Grid", int(counts[0]))
+    elif found.positions.kind in COUNTS and len(set(counts)) == 1:
+        put(machine, COUNTS[found.positions.kind], int(counts[0]))
 
 
-def load(machine, obj) -> workspace.Sensitivity:
-    """The stored indices as the core's `Sensitivity` (of the machine as it is now; see `Stale`)."""
-    core = core_machine(machine)
+COUNTS = {"quadrature": "Order", "grid": "Grid"}  # kind of positions -> property of the machine that holds the number
+
+
+def read(obj, core: Machine) -> Result:
+    """The result that a Sensitivity object holds.  core : the machine, whose travel gives the positions."""
     points = list(obj.Points)
     if obj.Aggregate == "at":
         where = workspace.at(core, points)
+    elif obj.Aggregate == "low_discrepancy":
+        where = workspace.low_discrepancy(core, int(points[0]))
     else:
         where = (workspace.grid if obj.Aggregate == "grid" else workspace.quadrature)(core, [int(p) for p in points])
-    return workspace.Sensitivity(
+    indices = workspace.Sensitivity(
         symbols=tuple(obj.Symbols),
         owners=tuple(obj.Owners),
         bodies=tuple(obj.Bodies),
@@ -112,3 +160,10 @@ def load(machine, obj) -> workspace.Sensitivity:
         estimated_error=None if obj.EstimatedError < 0 else obj.EstimatedError,
         **{attribute: np.array(getattr(obj, name), dtype=float) for name, attribute in PER_ERROR.items()},
     )
+    laws = tuple(Tolerance(*law) for law in zip(obj.Lower, obj.Upper, obj.Distributions))
+    return Result(indices, laws, tuple(obj.Units), obj.Squareness, obj.Inputs)
+
+
+def load(machine, obj) -> workspace.Sensitivity:
+    """The stored indices as the core's `Sensitivity` (of the machine as it is now; see `Stale`)."""
+    return read(obj, core_machine(machine)).indices

@@ -17,11 +17,14 @@ from .tree import added_effects, traces_of
 TOLERANCE = 1e-6  # mm, and relative: smaller differences count as none
 
 
-def result_inputs(machine, core: Machine) -> str:
-    """JSON of all that the indices of a machine object depend on.  core : the machine that is computed."""
+def result_inputs(machine, core: Machine, arms=None) -> str:
+    """JSON of all that the indices of a machine object depend on.
+
+    core : the machine that is computed.  arms : its lever arms with all joints at 0, where the caller has them.
+    """
     words = [core.structure, core.squareness, machine.Output, bool(machine.Signed), machine.Aggregate]
-    values = [*numbers(machine.Weights), *_geometry(core)]
-    values += {"quadrature": [machine.Order], "grid": [machine.Grid], "at": numbers(machine.At)}[machine.Aggregate]
+    values = [*numbers(machine.Weights), *_geometry(core, arms)]
+    values += {"quadrature": [machine.Order], "grid": [machine.Grid], "at": list(machine.At)}.get(machine.Aggregate, [])
     for symbol, t in core.all_tolerances.items():
         words += [symbol, t.distribution]
         values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
@@ -29,23 +32,26 @@ def result_inputs(machine, core: Machine) -> str:
     return json.dumps([words, values], sort_keys=True)
 
 
-def trace_inputs(core: Machine, without=()) -> str:
-    """JSON of all of a machine that a trace depends on.  without : names of effects that are left out."""
+def trace_inputs(core: Machine, without=(), arms=None) -> str:
+    """JSON of all of a machine that a trace depends on.
+
+    without : names of effects that are left out.  arms : lever arms with all joints at 0, where the caller has them.
+    """
     words = [core.structure, core.squareness, sorted((s, int(d)) for s, d in core.declared.items())]
     words += [_effect(e) for e in core.effects if e.enabled and e.name not in without]
-    return json.dumps([words, _geometry(core, sorted)], sort_keys=True)
+    return json.dumps([words, _geometry(core, arms, sorted)], sort_keys=True)
 
 
 def _effect(effect) -> list:
     return [effect.name, effect.component, effect.driver, effect.shape, dict(effect.parameters)]
 
 
-def _geometry(core: Machine, order=list) -> list[float]:
+def _geometry(core: Machine, arms, order=list) -> list[float]:
     """Lever arms at home, directions and travels, in the machine frame.  order : of the names, `list` or `sorted`."""
-    arms = core.lever_arms([[0.0] * len(core.axes)])
+    arms = core.lever_arms([[0.0] * len(core.joints)]) if arms is None else arms
     values = [v for body in order(arms) for v in arms[body][0].tolist()]
     for name in order(core.axes):
-        values += [*core.directions[name].tolist(), *core.axes[name].travel]
+        values += [*core.directions[name].tolist(), *core.axes[name].span]
     return values
 
 
@@ -65,11 +71,14 @@ def same(one: str, other: str) -> bool:
 def mark_results(machine, inputs: str) -> None:
     """Set `Stale` of the machine's results.  inputs : `result_inputs` of the machine as it is, "" where it has none."""
     for obj in members(machine, "Sensitivity"):
-        put(obj, "Stale", not same(obj.Fingerprint, inputs))
+        put(obj, "Stale", not same(obj.Inputs, inputs))
 
 
-def mark_traces(machine, core: Machine) -> None:
-    """Set `Stale` of the machine's traces; effects that were added from a trace do not count as changes for it."""
+def mark_traces(machine, core: Machine, arms=None) -> None:
+    """Set `Stale` of the machine's traces; effects that were added from a trace do not count as changes for it.
+
+    arms : as in `trace_inputs`.
+    """
     for obj in traces_of(machine):
         labels = {o.Label for o in added_effects(obj)}
-        put(obj, "Stale", not same(obj.Basis, trace_inputs(core, labels)))
+        put(obj, "Stale", not same(obj.Inputs, trace_inputs(core, labels, arms)))

@@ -6,6 +6,7 @@ Finders only look; `factory` and `traces` make.  So whoever asks need not import
 
 from __future__ import annotations
 
+from ..core.errors import AXES
 from ..messages import Message, Refused
 from .base import kind_of, members
 from .paths import Place, place, places
@@ -42,8 +43,8 @@ def bodies(machine) -> dict[str, object]:
 
 
 def joint_names(owners) -> tuple[str, ...]:
-    """The names of the axis objects among `bodies`, in the order of the columns of q: alphabetical."""
-    return tuple(sorted(name for name, obj in owners.items() if kind_of(obj) == "Axis"))
+    """The names of the axis objects among `bodies`, in the order of the columns of q: X, Y, Z, then alphabetical."""
+    return tuple(sorted((n for n, obj in owners.items() if kind_of(obj) == "Axis"), key=lambda n: (n not in AXES, n)))
 
 
 def axis_of(machine, name: str):

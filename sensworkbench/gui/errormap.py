@@ -89,7 +89,7 @@ class ErrorMap:
              at: float = 0.0) -> None:  # fmt: skip
         """Compute and draw; what : `MAP_SHOWS`, form : `MAP_FORMS`, at : position of the sliced axis in mm."""
         stands = [tuple(machine.FunctionalPoint), *(tuple(factory.axis_of(machine, name).Direction) for name in AXES)]
-        key = (machine.Fingerprint, shown_unit(machine.Output), *stands, colour_map, what, form, at)
+        key = (machine.Inputs, shown_unit(machine.Output), *stands, colour_map, what, form, at)
         if key != self._key:
             core, objective = extract.core_machine(machine), extract.objective(machine)
             q = positions(core, form, at)
@@ -97,7 +97,7 @@ class ErrorMap:
                 at = float(q[0, AXES.index(form[-1])])
             value = map_errors(core, objective, q, upper=what == WORST)
             self._fill(places(core, q), value, objective, colour_map, what, form, at)
-            self._key = key if machine.Fingerprint else None
+            self._key = key if machine.Inputs else None
         self._switch.whichChild = 0
         self.legend.show(self._text, self._scale, corner)
 

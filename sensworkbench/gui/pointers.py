@@ -10,7 +10,7 @@ import Part
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, factory, geometry, paths
+from ..document import extract, factory, geometry, paths, refresh
 from . import state
 from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
 from .qt import translate
@@ -18,15 +18,6 @@ from .texts import body_name
 
 UP = App.Vector(-1, 1, 2)  # upwards on the screen in the isometric view
 BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
-
-
-def _shifts(machine, bodies) -> dict[str, App.Vector]:
-    """How far each body is from home at the current position."""
-    owners = extract.bodies(machine)
-    parts = extract.all_parts(machine, owners)
-    u, _ = extract.directions(machine, extract.check_chains(machine, owners, parts), parts)
-    q = extract.stands_at(machine, owners, parts)
-    return {body: extract.displacement(machine, body, u, q) for body in bodies}
 
 
 def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
@@ -37,7 +28,7 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
     if machine.Problem:
         return []
     try:
-        shifts = _shifts(machine, bodies)
+        displaced = refresh.latest(machine).displacements
     except Refused:
         return []
     found = []
@@ -45,7 +36,7 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
         obj = factory.body_of(machine, body)
         if obj is None:
             continue
-        start = obj.ReferencePoint + shifts[body]
+        start = displaced[body].multVec(obj.ReferencePoint)
         offset = obj.AbbeOffset
         name = body_name(machine, body)
         colour = BODY_COLOURS[body]

@@ -15,7 +15,7 @@ from pivy import coin
 
 from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, factory
+from ..document import closed_loop, extract, factory
 from .arrows import Arrow, Arrows
 from .legend import Legend
 from .looks import CORNERS
@@ -330,9 +330,8 @@ def update(obj) -> None:
     except Refused:  # the machine's Problem says what is wrong
         proxy.arrows.hide()
         return
-    rows = {name: np.array([tuple(v) for v in getattr(obj, name)]) for name in ("Positions", "Before", "After")}
-    offsets = np.array([tuple(v) for v in obj.ToolOffsets]) if obj.ToolOffsets else None
-    where = places(core, rows["Positions"], offsets)
+    rows = {name: np.array([tuple(v) for v in getattr(obj, name)]) for name in ("Before", "After")}
+    where = places(core, *closed_loop.positions_of(obj))
     vectors = {name: rows[name] @ core.frame.T for name in (SHOW_BEFORE, SHOW_AFTER)}
     directions = np.array([core.axes[k].direction for k in AXES])
     proxy.arrows.show(where, vectors, view.ShowResiduals, directions, view.KeyCorner)

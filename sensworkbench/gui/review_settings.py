@@ -234,7 +234,7 @@ class Settings(QtGui.QScrollArea):
                     setattr(machine, name, read_field(field))
             machine.Signed = bool(read_field(self.signed))
             machine.Weights = App.Vector(*[b.value() for b in self.weights])
-            machine.At = App.Vector(*[b.value() for b in self.at])
+            machine.At = [b.value() for b in self.at]
             if read_field(self.aggregate) != "at":
                 setattr(machine, "Grid" if read_field(self.aggregate) == "grid" else "Order", self.count.value())
             display.compute_and_colour(machine)

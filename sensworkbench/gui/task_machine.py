@@ -253,7 +253,7 @@ class TaskMachine(Panel):
 
     def _skew_words(self) -> str:
         machine = self.machine
-        skew = {"XY": machine.SkewXY, "XZ": machine.SkewXZ, "YZ": machine.SkewYZ}
+        skew = {pair: float(angle) for pair, angle in machine.Skew.items()}
         off = [f"{pair} {angle:+.3f}°" for pair, angle in skew.items() if abs(angle) > 1e-6]
         return translate("Sens", "Not square as designed: {pairs}").format(pairs=", ".join(off)) if off else ""
 

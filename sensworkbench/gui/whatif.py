@@ -132,7 +132,7 @@ class WhatIf(QtGui.QWidget):
 
     def show_machine(self, machine, result) -> None:
         """Start from a result; what was tried is kept while the result is the same."""
-        fresh = result.Fingerprint if result is not None else ""
+        fresh = result.Inputs if result is not None else ""
         same = machine is self.machine and fresh == self._print
         self.machine, self.result, self._print = machine, result, fresh
         self.setEnabled(result is not None)

@@ -29,7 +29,7 @@ from tests.document import simulated  # noqa: E402
 from tests.document.blocks import TURNED, golden_machine  # noqa: E402
 from tests.document.stored import values  # noqa: E402
 
-SCHEMA = 1
+SCHEMA = 2
 
 
 def plain_machine(doc):
@@ -52,7 +52,7 @@ def full_machine(doc):
     machine.Extra = json.dumps({"x-maker": "someone"})
     machine.Squareness = "carried"
     machine.Weights = App.Vector(1, 2, 0.5)
-    machine.Aggregate, machine.At = "at", App.Vector(10, -20, 30)
+    machine.Aggregate, machine.At = "at", [10, -20, 30]
     results.compute(machine)
     jog.jog(machine, {"X": 12, "Z": -7})
     doc.recompute()

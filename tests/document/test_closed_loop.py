@@ -66,7 +66,7 @@ def test_readings_are_kept_as_they_were_imported(machine, measured, tmp_path):
     try:
         found = opened.getObject(table.Name)
         assert tree.readings_of(factory.machine_of(opened)) == [found]
-        assert (found.Source, found.Points, found.Rows, found.Digest) == ("measured.csv", 160, 480, digest)
+        assert (found.Source, found.Points, found.Rows, found.Sha256) == ("measured.csv", 160, 480, digest)
         assert "temp_column (K)" in found.Columns
         assert any("derived" in f for f in found.Findings)
         np.testing.assert_array_equal(closed_loop.read(found).value, expected.value)

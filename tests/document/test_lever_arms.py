@@ -239,7 +239,7 @@ def test_a_skew_of_less_than_five_degrees_is_reported(doc):
     machine = golden_machine(doc)
     doc.getObject("CarriageY").Placement.Rotation = R(V(0, 0, 1), 2)
     doc.recompute()
-    assert machine.Problem == "" and machine.SkewXY == pytest.approx(2)
+    assert machine.Problem == "" and float(machine.Skew["XY"]) == pytest.approx(2)
 
 
 # -- refusals --------------------------------------------------------------------------------------------------------
@@ -300,28 +300,29 @@ def _no_direction(doc, machine):
 
 
 @pytest.mark.parametrize(
-    ("spoil", "words"),
+    ("spoil", "code", "words"),
     [
-        (_edge_lost, ("Axis X", "Bed", "Choose the geometry again")),
-        (_no_direction, ("Axis X", "Bed Vertex1", "gives no direction")),
-        (_skewed, ("X", "Y", "more than 5", "CarriageX", "CarriageY", "Correct one direction")),
-        (_parallel, ("X", "Y", "parallel", "CarriageY")),
-        (_twice, ("CarriageX", "Axis X", "Axis Y", "take it out")),
-        (_no_tool_point, ("tool point is missing", "Choose")),
-        (_not_in_a_chain, ("chain does not connect", "axis Z", "ToolChain")),
-        (_no_carriage, ("chain does not connect", "Axis Z", "Choose the parts")),
-        (_no_axis, ("chain does not connect", "axis Z", "Add axis Z")),
-        (_wrong_container, ("CarriageZ", "Axis Z", "Axis X", "does not carry it")),
-        (_no_travel, ("Axis X", "no length")),
-        (_part_deleted, ("Holder", "CarriageZ", "Choose the part again")),
+        (_edge_lost, "part-element-gone", ("Axis X", "Bed")),
+        (_no_direction, None, ("Axis X", "Bed Vertex1", "gives no direction")),
+        (_skewed, "directions-not-square", ("X", "Y", "CarriageX", "CarriageY")),
+        (_parallel, "directions-parallel", ("X", "Y", "CarriageY")),
+        (_twice, "part-in-two-bodies", ("CarriageX", "Axis X", "Axis Y")),
+        (_no_tool_point, "tool-point-missing", ("Golden",)),
+        (_not_in_a_chain, "chain-joint-missing", ("Golden", "Z")),
+        (_no_carriage, "axis-without-carriage", ("Golden", "Axis Z")),
+        (_no_axis, "axis-object-missing", ("Golden", "Z")),
+        (_wrong_container, "part-inside-another-body", ("CarriageZ", "Axis Z", "Axis X")),
+        (_no_travel, "travel-without-length", ("Axis X",)),
+        (_part_deleted, "part-path-dead", ("Holder", "CarriageZ")),
     ],
 )
-def test_what_is_no_machine_is_refused_by_name(doc, spoil, words):
+def test_what_is_no_machine_is_refused_by_name(doc, spoil, code, words):
     machine = golden_machine(doc)
     spoil(doc, machine)
     doc.recompute()
     with pytest.raises(Refused) as refusal:
         extract.core_machine(machine)
+    assert code in (refusal.value.code, None)
     for word in words:
         assert word in refusal.value.message
     assert machine.Problem == refusal.value.message
@@ -344,7 +345,7 @@ def test_a_document_without_a_machine_is_refused(doc):
 
 def test_indices_of_the_document_are_those_of_the_core(doc):
     machine = golden_machine(doc, "FXYZ", references=dict.fromkeys("XYZ", (0, 0, 0)), tool=(0, 0, -150))
-    machine.Aggregate, machine.At = "at", V(200, 150, -100)
+    machine.Aggregate, machine.At = "at", [200, 150, -100]
     for obj in (doc.getObject(f"Ref{n}") for n in "XYZ"):
         assert close(obj.Placement.Base, (0, 0, 0))
     found = results.compute(machine)

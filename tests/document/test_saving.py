@@ -73,8 +73,8 @@ def test_a_document_with_every_kind_of_object_comes_back_equal(doc, tmp_path):
             assert values(obj) == before[name], name
             assert "Touched" not in obj.State
         machine = factory.machine_of(again)
-        modes = {n: machine.getEditorMode(n) for n in ("Structure", "Fingerprint", "Squareness")}
-        assert modes == {"Structure": ["ReadOnly"], "Fingerprint": ["Hidden"], "Squareness": []}
+        modes = {n: machine.getEditorMode(n) for n in ("Structure", "Inputs", "Squareness")}
+        assert modes == {"Structure": ["ReadOnly"], "Inputs": ["Hidden"], "Squareness": []}
         again.recompute()
         assert {name: values(again.getObject(name)) for name in ours} == before
         jog.home(machine)
