@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the columns of a foreign table probably are, and the mapping that says so.
+"""Guess what the columns of a foreign table are, and propose a mapping.
 
-A proposal for a person to correct: nothing is imported by it.  `Pos X [mm]` becomes `x_mm`, `Temp Column (°C)`
-`temp_column_C`, `Error Y µm` `ey_um`; what is not recognised stays a driver of its own name.
+The proposal is for a person to correct; nothing is imported by it.  `Pos X [mm]` becomes `x_mm`, `Temp Column (°C)`
+`temp_column_C`, `Error Y µm` `ey_um`; a column that is not recognised remains a driver with its own name.
 """
 
 from __future__ import annotations

@@ -45,7 +45,9 @@ def staged(folder, verb: str = "") -> Iterator[Path]:
 
 @contextlib.contextmanager
 def staged_file(path, verb: str = "") -> Iterator[Path]:
-    """A path to write one result to; it gets the name `path`, its manifest beside it, when the block ends well."""
+    """Yield a temporary path for one result; it is renamed to `path`, with its manifest, if the block ends without an
+    error.
+    """
     with files.written(path):
         place = files.target(path)
     with _set(place.parent, place.name, verb, shown=path) as work:
@@ -196,7 +198,7 @@ def _check_target(place: Path, relative: str) -> None:
 
 # -- moving ------------------------------------------------------------------------------------------------------------
 def _forward(work: Path, place: Path, journal: dict) -> None:
-    """Do what the journal says, as far as it is not done; the manifest is the last."""
+    """Carry out the moves of the journal that are not done yet; the manifest is moved last."""
     act = operations.current()
     for name in journal["stale"]:
         if operations.kind(place / name) == "file" and not os.path.lexists(work / OLD / name):

@@ -131,7 +131,7 @@ def written(path):
 
 @contextlib.contextmanager
 def made_folders(folder: Path):
-    """Make `folder` and what it stands in; when the block raises, what was made is removed again."""
+    """Make `folder` and its missing parents; if the block raises, remove the folders that were made."""
     act = operations.current()
     missing = []
     while not folder.exists():

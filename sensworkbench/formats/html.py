@@ -82,20 +82,23 @@ def text(value) -> Html:
 
 
 def join(parts, between: str = "") -> Html:
+    """Return the parts as one piece of markup; texts are escaped."""
     return Html(text(between).join(text(p) for p in parts))
 
 
 def element(tag: str, *content, **attributes) -> Html:
-    """`<tag ...>content</tag>`; `class_` and `data_x` stand for `class` and `data-x`."""
+    """Return `<tag ...>content</tag>`; `class_` and `data_x` become the attributes `class` and `data-x`."""
     pairs = "".join(f' {k.rstrip("_").replace("_", "-")}="{text(v)}"' for k, v in attributes.items() if v is not None)
     return Html(f"<{tag}{pairs}>{join(content)}</{tag}>")
 
 
 def paragraph(*content, soft: bool = False, lead: bool = False) -> Html:
+    """Return a `<p>`.  soft : in grey.  lead : larger, for a result."""
     return element("p", *content, class_="soft" if soft else "lead" if lead else None)
 
 
 def section(title: str, *content) -> Html:
+    """Return a `<section>` with a heading."""
     return element("section", element("h2", title), *content)
 
 
@@ -145,7 +148,7 @@ def dot(colour: str, label) -> Html:
 
 
 def body_colour(body: str) -> str:
-    """The colour of a body in charts and tables; bodies whose names begin alike share one."""
+    """Return the colour of a body in charts and tables; bodies whose names have the same first letter share one."""
     known = BODY_COLOURS | _FURTHER_COLOURS
     return known.get(body) or known.get(body[:1], "#888888")
 
@@ -156,6 +159,7 @@ def body_label(body: str, name: str | None = None) -> Html:
 
 
 def figure(content: Html, caption: str = "") -> Html:
+    """Return a `<figure>` with an optional caption."""
     return element("figure", content, *([element("figcaption", caption)] if caption else []))
 
 

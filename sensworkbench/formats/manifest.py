@@ -3,7 +3,7 @@
 
 {"format": "sens-manifest", "version": 1, "sets": [{"verb", "made_by", "command", "seed", "conventions", "inputs":
 [{"path", "sha256", "bytes"}], "files": [{"name", "sha256", "bytes"}]}]}, one set per verb that wrote to the folder.  A
-single result file NAME has NAME.manifest.json beside it.
+single result file NAME has the manifest NAME.manifest.json in the same folder.
 """
 
 from __future__ import annotations

@@ -21,6 +21,7 @@ class Operations:
     """The operations on this computer's disk."""
 
     def make_folder(self, path) -> None:
+        """Make the folder `path`."""
         os.mkdir(path)
 
     def write(self, path, data: bytes) -> None:
@@ -47,9 +48,11 @@ class Operations:
         os.link(source, target)
 
     def remove(self, path) -> None:
+        """Remove the file `path`."""
         os.unlink(path)
 
     def remove_folder(self, path) -> None:
+        """Remove the empty folder `path`."""
         os.rmdir(path)
 
     def lock(self, path) -> int | None:
@@ -71,6 +74,7 @@ class Operations:
         return handle
 
     def unlock(self, handle: int) -> None:
+        """Release what `lock` returned."""
         if handle >= 0:
             os.close(handle)
 

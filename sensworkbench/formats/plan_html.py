@@ -34,6 +34,7 @@ _COMPARED = (
 
 
 def number_words(value, unit: str) -> str:
+    """Return a number with its unit for a table; None is "not at all"."""
     if value is None:
         return "not at all"
     return f"{value:.2g} {unit}" if unit else f"{value:g}"

@@ -173,7 +173,7 @@ def _entry(entry, found: list[Candidate]) -> dict:
 
 
 def candidates_csv(plan: Plan) -> str:
-    """Every component x driver x shape: one row each, the plainest first."""
+    """Return a table of all candidates (component x driver x shape), one row each, the simplest first."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(
@@ -191,7 +191,7 @@ def candidates_csv(plan: Plan) -> str:
 
 
 def positions_csv(readings: Readings) -> str:
-    """A plan as a positions table that `plan`, and with readings beside it `trace`, read."""
+    """Return a plan as a table of positions that `plan` can read, and `trace` after readings were added."""
     units = readings.units
     names, columns = [], []
     for base, values in readings.columns.items():

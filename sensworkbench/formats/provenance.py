@@ -54,14 +54,14 @@ def running(verb: str, command: Sequence[str] = (), seed: int | None = None) -> 
 
 
 def note_input(path, data: bytes) -> None:
-    """Say that `data` was read from `path` and will be used."""
+    """Record that `data` was read from `path` and will be used."""
     run = current()
     if run is not None and str(path) not in run.inputs:
         run.inputs[str(path)] = Input(str(path), hashlib.sha256(data).hexdigest(), len(data))
 
 
 def note_file(path) -> None:
-    """Say that the file `path` is read by other means (a FreeCAD document)."""
+    """Record that the file `path` is read by other means (a FreeCAD document)."""
     run = current()
     if run is not None and str(path) not in run.inputs:
         digest, count = sha256(path)

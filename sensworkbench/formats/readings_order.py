@@ -14,7 +14,7 @@ def backwards(t) -> np.ndarray:
 
 
 def time_order(t, run) -> tuple[np.ndarray | None, str]:
-    """(stable order by time, what to say) of rows that are not in it; (None, "") where they are, or have no time."""
+    """Return (stable order by time, remark) of rows that are not in it; (None, "") if they are, or have no time."""
     if t is None or np.all(np.diff(t) >= 0):
         return None, ""
     back = backwards(t)

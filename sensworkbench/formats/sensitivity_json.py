@@ -78,7 +78,7 @@ def tidy(value: float) -> float:
 
 
 def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
-    """sensitivity.json as plain data.  The keys of the format come first, the explanations after them."""
+    """Return sensitivity.json as plain data.  The keys of the format come first, explanations after them."""
     machine, result = study.machine, study.sensitivity
     table = limits(machine, angle_unit)
     errors = []

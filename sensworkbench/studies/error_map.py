@@ -16,10 +16,11 @@ FINE = 25  # nodes of a slice per joint
 
 
 def map_positions(machine: Machine, sliced: int | None = None, at: float = 0.0, across=(0, 1, 2)) -> np.ndarray:
-    """(P, n) positions of the joints: a grid over the travel, COUNT per joint, or a slice of FINE x FINE of them.
+    """Return (P, n) positions of the joints: a grid over the travel, COUNT per joint, or a slice of FINE x FINE
+    positions.
 
-    sliced : number of the joint that stands at `at` (mm or rad, kept within its travel).  across : numbers of the three
-    joints that span the workspace; the others stand in the middle of their travel.
+    sliced : number of the joint that is held at `at` (mm or rad, limited to its travel).  across : numbers of the three
+    joints that span the workspace; the others are held at the middle of their travel.
     """
     if sliced is None:
         return grid(machine, COUNT).q

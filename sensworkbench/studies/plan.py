@@ -37,14 +37,14 @@ class PlanResult:
 
     @property
     def shown(self) -> Plan:
-        """The plan that is judged: the given one, else the suggested one."""
+        """Return the plan that was evaluated: the given one, otherwise the suggested one."""
         return self.plan or self.suggested
 
 
 def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest = PlanRequest()) -> PlanResult:
-    """Judge a plan (readings of value 0), advise, and suggest another.
+    """Evaluate a plan (readings of value 0), advise, and suggest another plan.
 
-    Refuses where there is neither a plan nor a number of places to suggest, and a number outside FEWEST to MOST.
+    Refuses if there is neither a plan nor a number of places to suggest, and a number outside FEWEST to MOST.
     """
     if readings is None and request.suggest is None:
         raise Refused("plan-missing", "plan")

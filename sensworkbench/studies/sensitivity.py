@@ -100,7 +100,7 @@ class Convention:
 
 @dataclass(frozen=True)
 class AsPrinted:
-    """Eq. (18) as printed beside the exact total index, at one position.
+    """Eq. (18) as printed in the paper and the exact total index, at one position.
 
     position (n,) mm or rad.  as_printed, total (errors,).  variance_15a, variance : V(Y) by eq. (15a) and exact, mm^4.
     """
@@ -115,8 +115,10 @@ class AsPrinted:
 
 @dataclass(frozen=True)
 class SensitivityResult:
-    """machine : as it was judged.  sensitivity : its indices.  conventions : convention for squareness -> the same
-    under it.  as_printed : eq. (18) of the paper, where it applies.
+    """Result of a sensitivity study.
+
+    machine : the machine that was analysed.  sensitivity : its indices.  conventions : convention for squareness -> the
+    same under it.  as_printed : eq. (18) of the paper, where it applies.
     """
 
     machine: Machine
@@ -137,10 +139,10 @@ def sensitivity_study(
     objective: Objective | None = None,
     positions: Positions | None = None,
 ) -> SensitivityResult:
-    """The indices that `request` asks for, with everything that is reported beside them.
+    """Return the indices that `request` asks for, with everything that is reported with them.
 
-    progress : called with the part that is done, 0 to 1; a false answer cancels (raises `workspace.Cancelled`).
-    objective, positions : what to take where `request` leaves them open.  Refuses where nothing varies.
+    progress : called with the finished share, 0 to 1; a false answer cancels (raises `workspace.Cancelled`).
+    objective, positions : used where `request` leaves them open.  Refuses if nothing varies.
     """
     machine = request.machine(machine)
     where = request.positions(machine, positions)
@@ -234,9 +236,9 @@ def kind_message(kind: str) -> Message:
 
 
 def as_printed(machine: Machine, found: Sensitivity) -> AsPrinted | None:
-    """Eq. (18) as printed beside the right S^T at one position; None where it does not apply.
+    """Return eq. (18) as printed and the correct S^T at one position; None where the equation does not apply.
 
-    It knows uniform errors and the plain sum of squares of the position only.
+    It is defined for uniform errors and the unweighted sum of squares of the position only.
     """
     labels, columns, _, laws = error_table(machine)
     objective = found.objective

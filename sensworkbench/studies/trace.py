@@ -48,10 +48,10 @@ def trace_study(
 
 
 def component_values(effect: Effect, outcome: Outcome) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(driver, value asked for by the readings, fitted value), each (P',) in driver units and um or urad.
+    """Return (driver, value that the readings require, fitted value), each (P',), in driver units and um or urad.
 
-    The value asked for is the effect itself plus what the residual of the full model says along its column of Omega;
-    points whose column is below SHORT_ARM of the longest, or that were left out as outliers, are not returned.
+    The required value is the effect plus the projection of the full model's residual on its column of Omega.  Points
+    whose column is shorter than SHORT_ARM of the longest, and outliers, are not returned.
     """
     readings = outcome.readings
     matrix = omega(outcome.machine, [effect.component], readings.q, readings.tool_offset)[:, :, 0]

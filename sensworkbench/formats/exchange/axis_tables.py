@@ -45,6 +45,7 @@ class AxisTable:
 
     @property
     def reverses(self) -> bool:
+        """Whether the values differ between the two directions of travel."""
         return not np.array_equal(self.plus, self.minus)
 
 
@@ -95,9 +96,10 @@ def _contributions(machine: Machine, coverage: Coverage) -> dict[tuple[str, str]
 
 
 def _lines(machine: Machine, fmt: str, through) -> dict[tuple[str, str], list[Callable]]:
-    """The whole error along the line of each axis through a point; the error at the point itself is in the own tables.
+    """Return the whole error along the line of each axis through a point; the error at the point is in each axis's own
+    table.
 
-    Reversals of the other axes stand in the middle; effects that no table of positions can follow are left out.
+    Reversals of the other axes are taken at their mean; effects that no table of positions can hold are omitted.
     """
     known = tuple(e for e in machine.effects if isinstance(drive(e), Drive))
     machine = replace(machine, effects=known, fitted=machine.fitted or FittedModel())

@@ -53,13 +53,13 @@ class Written:
 
 
 def write(machine: Machine, fmt: str, **options) -> Written:
-    """The files of format `fmt` as texts.
+    """Return the files of format `fmt` as texts.
 
     Options: linuxcnc file_type; heidenhain style; siemens axis_names, measuring_system, reference, cec_sign; fcm base
-    (text of a file to keep the rest of).  Axis tables take `through`: they hold the whole error along the lines of
-    the axes through a position, (x, y, z) mm or "middle" of the travel (the default), or with None the translations of
-    the model only.  Lines are the better choice: they do not depend on how a fit shares an error between a translation
-    and a rotation that the readings could not tell apart.
+    (text of a file of which everything else is kept).  Axis tables take `through`: with a position, (x, y, z) mm or
+    "middle" of the travel (the default), they hold the whole error along the lines of the axes through it; with None
+    they hold only the translations of the model.  Lines are the better choice: they do not depend on how a fit divided
+    an error between a translation and a rotation that the readings could not distinguish.
     """
     if fmt == "fcm":
         notes = tuple(f"Not held: {what}." for what in fcm.lost(machine))

@@ -64,6 +64,7 @@ def drive(effect: Effect) -> Drive | str:
 
 
 def check_format(fmt: str) -> str:
+    """Return `fmt`; refuses a name that is no exchange format."""
     if fmt not in FORMATS:
         raise Refused(f"unknown format {fmt!r}", "format", f"Use one of {', '.join(FORMATS)}.")
     return fmt
@@ -110,6 +111,7 @@ def _on_lines(fmt: str, symbol: str, at: Drive) -> bool:
 
 
 def obstacle(fmt: str, symbol: str, at: Drive) -> str:
+    """Return why `fmt` cannot hold the component `symbol` driven by `at`; "" if it can."""
     rule = _parametric if fmt in ("isg", "etalon") else _axis_table
     return rule(fmt, symbol, at)
 

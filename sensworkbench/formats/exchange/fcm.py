@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD CAM machine files (*.fcm, version 1): the three linear axes, their chains, directions, joints and limits.
 
-The schema is that of FreeCAD's src/Mod/CAM/Machine/models/machine.py.  Such a file knows neither tool point nor errors.
+The schema is that of FreeCAD's src/Mod/CAM/Machine/models/machine.py.  Such a file holds neither tool point nor errors.
 Its lengths are millimetres whatever its `units` say: CAM's editor converts what it shows, not what it stores.  `joint`
 is written as {"origin", "axis"}: FreeCAD takes the list form, which it writes itself, for a direction as soon as the
 origin is not zero.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Heidenhain axis-error tables (*.COM), one per causing axis, in the columns that the technical manuals describe.
 
-A column named after an axis holds the error of that axis where the causing axis stands at AXISPOS (Z = F(Y): sag).
+A column named after an axis holds the error of that axis when the causing axis is at AXISPOS (Z = F(Y): sag).
 Values are errors, positive where the travel is too long, as the manuals define the linear axis error; BACKLASH holds
 the own axis's value in the negative direction.  Made from manual pages (MANUALplus 620 p. 716-718, TNC 407 p. 151-156);
 no file of Heidenhain's was at hand.
