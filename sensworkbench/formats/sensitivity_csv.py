@@ -10,7 +10,8 @@ from collections.abc import Mapping
 from .files import neutral
 
 COLUMNS = (
-    "rank", "symbol", "description", "owner", "lower", "upper", "unit", "distribution", "first", "total", "total_max",
+    "rank", "symbol", "description", "owner", "lower", "upper", "unit", "distribution", "first", "total", "share",
+    "total_max",
     "first_variance_weighted", "total_variance_weighted",
 )  # fmt: skip
 

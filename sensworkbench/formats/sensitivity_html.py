@@ -73,6 +73,9 @@ class _Report:
     def error(self, symbol: str) -> str:
         """What an error of the table is."""
         column = self.columns[symbol]
+        if not column:
+            factors = next(s.factors for s in self.machine.sources if s.name == symbol)
+            return self.words("error-source", symbols=list(factors))
         if column != symbol:
             return self.words("error-traced", symbol=column)
         return self.words.of(error_message(self.machine.component(column)))
@@ -129,11 +132,12 @@ class _Report:
             xlabel=words("report-components-axis"),
             alt=words("report-components-alt"),
         )
-        heads = [words("column-component"), "#S", "#Sᵀ", f"#{words('column-largest')}", f"#{words('column-weighted')}"]
+        heads = [words("column-component"), "#S", "#Sᵀ", f"#{words('column-share')}"]
+        heads += [f"#{words('column-largest')}", f"#{words('column-weighted')}"]
         cells = [
             (
                 html.body_label(r["body"], self.body(r["body"])),
-                *(index(r[k]) for k in ("first", "total", "total_max", "total_variance_weighted")),
+                *(index(r[k]) for k in ("first", "total", "share", "total_max", "total_variance_weighted")),
                 html.meter(r["total"], r["first"], largest),
             )
             for r in rows
@@ -150,7 +154,11 @@ class _Report:
         rows = [r for r in self.data["errors"] if r["total"] > 0 or r["upper"] != r["lower"]]
         still = len(self.data["errors"]) - len(rows)
         largest = max(r["total"] for r in rows)
-        owners = [b for b in self.machine.bodies if any(r["owner"] == b for r in rows)]
+        owners = [
+            b
+            for b in (*self.machine.bodies, *(s.name for s in self.machine.sources))
+            if any(r["owner"] == b for r in rows)
+        ]
         chart = charts.bar_chart(
             [f"{r['symbol']}   {self.tolerance(r, law=False)}" for r in rows],
             [r["first"] for r in rows],
@@ -162,14 +170,14 @@ class _Report:
             alt=words("report-ranking-alt"),
         )
         heads = ["#", words("column-error"), words("column-meaning"), f"#{words('column-tolerance')}", "#S", "#Sᵀ"]
-        heads += [f"#{words('column-largest')}", words("column-owner"), ""]
+        heads += [f"#{words('column-share')}", f"#{words('column-largest')}", words("column-owner"), ""]
         cells = [
             (
                 i,
                 r["symbol"],
                 self.error(r["symbol"]),
                 self.tolerance(r),
-                *(index(r[k]) for k in ("first", "total", "total_max")),
+                *(index(r[k]) for k in ("first", "total", "share", "total_max")),
                 html.body_label(r["owner"]),
                 html.meter(r["total"], r["first"], largest),
             )

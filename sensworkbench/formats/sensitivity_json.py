@@ -24,6 +24,7 @@ CONVENTIONS = {
     "model": "first order in the errors (Park & Yang 2012, eq. 1)",
     "first": "V(E(Y|X_i)) / V(Y)",
     "total": "1 - V(E(Y|X_~i)) / V(Y) = (V_i + sum_k V_ik) / V(Y), exact",
+    "share": "Shapley effect, (first + total) / 2: the shares of the errors, and of the components, add up to 1",
     "component_total": "every V_i and V_ik that touches the component, once; not the sum of its members' totals",
 }
 
@@ -52,10 +53,14 @@ def limits(machine: Machine, angle_unit: str = "urad") -> list[dict]:
         factor(angle_unit, angular=True, where="angle unit")
     out = []
     for label, column, owner, law in zip(*error_table(machine)):
-        c = machine.component(column)
-        unit = angle_unit if c.angular else "um"
-        scale = factor(unit, angular=c.angular)
-        words = c.description if label == column else f"traced effect on {column}"
+        if column:
+            c = machine.component(column)
+            unit = angle_unit if c.angular else "um"
+            scale = factor(unit, angular=c.angular)
+            words = c.description if label == column else f"traced effect on {column}"
+        else:  # a source is a pure number
+            followers = next(s.factors for s in machine.sources if s.name == label)
+            unit, scale, words = "1", 1.0, f"common source of {', '.join(followers)}"
         out.append(
             {
                 "symbol": label,
@@ -89,6 +94,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
             | {
                 "first": float(result.first[i]),
                 "total": float(result.total[i]),
+                "share": float(result.share[i]),
                 "total_max": float(result.total_max[i]),
                 "first_variance_weighted": float(result.first_vw[i]),
                 "total_variance_weighted": float(result.total_vw[i]),
@@ -97,9 +103,10 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
     components = [
         {
             "body": b,
-            "name": machine.body_name(b),
+            "name": machine.body_name(b) if b in machine.bodies else f"common source {b}",
             "first": float(result.component_first[i]),
             "total": float(result.component_total[i]),
+            "share": float(result.component_share[i]),
             "total_max": float(result.component_total_max[i]),
             "total_variance_weighted": float(result.component_total_vw[i]),
         }

@@ -48,6 +48,8 @@ def body_message(machine: Machine, body: str) -> Message:
         return Message("body-tool")
     if body == "W":
         return Message("body-workpiece")
+    if body not in machine.names:
+        return Message("body-source", name=body)
     return Message("body-carriage" if machine.joint(body).slides else "body-rotary", name=body)
 
 

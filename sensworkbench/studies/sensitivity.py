@@ -25,7 +25,7 @@ Progress = Callable[[float], bool]
 
 KINDS = (
     "straightness", "linear displacement", "angular", "squareness", "radial and axial", "axis position",
-    "axis orientation", "spindle", "workpiece", "traced effects",
+    "axis orientation", "spindle", "workpiece", "traced effects", "common sources",
 )  # fmt: skip
 SMALL = 0.1  # total index below which Park & Yang's "hardly matter" is taken to hold
 
@@ -78,7 +78,7 @@ class SensitivityRequest:
 
 
 @dataclass(frozen=True)
-class Share:
+class KindIndices:
     """First-order and total index of a group of errors, mean over the positions."""
 
     first: float
@@ -90,7 +90,7 @@ class Convention:
     """The indices under one convention for squareness: those of the errors, and of each kind of error together."""
 
     sensitivity: Sensitivity
-    kinds: Mapping[str, Share]
+    kinds: Mapping[str, KindIndices]
 
     @property
     def finding(self) -> tuple[Message, ...]:
@@ -169,8 +169,10 @@ def ranking(found: Sensitivity) -> list[int]:
 def kind_of(machine: Machine, label: str, column: str) -> str:
     """The kind of error as Park & Yang group them, one of KINDS; of a rotary joint as ISO 230-7 names them.
 
-    label : of the entry; column : the component that it moves, another one for a traced effect.
+    label : of the entry; column : the component that it moves, another one for a traced effect, "" for a source.
     """
+    if not column:
+        return "common sources"
     c = machine.component(column)
     if label != column:
         return "traced effects"
@@ -185,9 +187,10 @@ def kind_of(machine: Machine, label: str, column: str) -> str:
     return "linear displacement" if c.axis == c.along else "straightness"
 
 
-def kind_indices(machine: Machine, found: Sensitivity) -> dict[str, Share]:
+def kind_indices(machine: Machine, found: Sensitivity) -> dict[str, KindIndices]:
     """Indices of all errors of a kind together, mean over the positions of `found`."""
-    labels, columns, _, laws = error_table(machine)
+    table = error_table(machine)
+    labels, columns, _, laws = table
     kinds = [kind_of(machine, *pair) for pair in zip(labels, columns)]
     present = [k for k in KINDS if k in kinds]
     groups = [[i for i, k in enumerate(kinds) if k == kind] for kind in present]
@@ -195,11 +198,11 @@ def kind_indices(machine: Machine, found: Sensitivity) -> dict[str, Share]:
     first, total = np.zeros(len(groups)), np.zeros(len(groups))
     for start in range(0, len(positions.q), CHUNK):
         block = slice(start, start + CHUNK)
-        matrix = omega(machine, columns, positions.q[block], output=objective.output)
+        matrix = table.mixed(omega(machine, table.symbols, positions.q[block], output=objective.output))
         one = objective.group_indices(matrix, law, groups)
         first += positions.weights[block] @ one.first
         total += positions.weights[block] @ one.total
-    return {k: Share(float(f), float(t)) for k, f, t in zip(present, first, total)}
+    return {k: KindIndices(float(f), float(t)) for k, f, t in zip(present, first, total)}
 
 
 # -- what the paper found ----------------------------------------------------------------------------------------------
@@ -217,7 +220,7 @@ def conventions(machine: Machine, found: Sensitivity) -> dict[str, Convention]:
     return out
 
 
-def paper_finding(found: Sensitivity, kinds: Mapping[str, Share]) -> tuple[Message, ...]:
+def paper_finding(found: Sensitivity, kinds: Mapping[str, KindIndices]) -> tuple[Message, ...]:
     """Which error and which kinds come first, and whether what Park & Yang found holds here."""
     ranked = sorted(kinds, key=lambda k: -kinds[k].total)
     first = ranking(found)[0]
@@ -240,7 +243,8 @@ def as_printed(machine: Machine, found: Sensitivity) -> AsPrinted | None:
 
     It is defined for uniform errors and the unweighted sum of squares of the position only.
     """
-    labels, columns, _, laws = error_table(machine)
+    table = error_table(machine)
+    labels, laws = table.labels, table.laws
     objective = found.objective
     if not isinstance(objective, MeanSquare) or objective.output != POSITION:
         return None
@@ -250,7 +254,7 @@ def as_printed(machine: Machine, found: Sensitivity) -> AsPrinted | None:
         return None
     q = mean_position(machine, found.positions)
     rows = [a for a, w in enumerate(objective.weights) if w]
-    matrix = omega(machine, columns, q)[0][rows]
+    matrix = table.mixed(omega(machine, table.symbols, q))[0][rows]
     lower, upper = np.array([law.lower for law in laws]), np.array([law.upper for law in laws])
     here = found
     if found.positions.kind != "at":
