@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the joints of an assembly say: bodies, the sliders between them from the grounded part outwards, what is loose.
+"""Read the joints of an assembly: bodies, the sliders between them from the grounded part outwards, and loose parts.
 
-Fixed joints make bodies, sliders connect them, and what only turns on a body (spindle, screw) rides on it.
-Sub-assemblies and links to assemblies are walked; those without a slider are one part.
+Parts connected by fixed joints form a body, sliders connect bodies, and a part that only turns on a body (spindle,
+screw) moves with it.  Sub-assemblies and links to assemblies are followed; those without a slider count as one part.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ class Group:
 
     @property
     def label(self) -> str:
+        """Return the labels of the parts, separated by commas."""
         return ", ".join(p.object.Label for p in self.parts)
 
 
@@ -44,7 +45,7 @@ class Slider:
 
 @dataclass
 class Reading:
-    """What an assembly says: bodies, sliders in chain order per branch from the bed, what nothing holds, remarks."""
+    """Model of an assembly: bodies, sliders in chain order per branch from the bed, parts held by nothing, remarks."""
 
     assembly: Place
     groups: list[Group]
@@ -55,11 +56,12 @@ class Reading:
 
     @property
     def sliders(self) -> list[Slider]:
+        """Return the sliders of all branches."""
         return [s for branch in self.branches for s in branch]
 
 
 def assemblies(doc) -> list:
-    """Assemblies of a document, and links to assemblies, that stand at its top level."""
+    """Return the assemblies, and links to assemblies, at the top level of a document."""
     return [o for o in doc.Objects if joints.is_assembly(joints.linked(o)) and not o.getParentGeoFeatureGroup()]
 
 

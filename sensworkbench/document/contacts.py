@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which solids of a machine slide on which, read from plain geometry: rails, screws, and what touches them where.
+"""Find which solids of a machine slide on which, from geometry alone: rails, screws, and the solids that touch them.
 
-A long thin prism is a rail, a long cylinder a screw.  What covers most of a rail is its seat and belongs to it; what
-touches it only over a piece of its length slides on it.  All else that touches is bolted together.
+A long thin prism is a rail, a long cylinder a screw.  A solid that covers most of a rail is its seat and belongs to it;
+a solid that touches it only over part of its length slides on it.  All other solids that touch are bolted together.
 """
 
 from __future__ import annotations
@@ -39,14 +39,17 @@ class Piece:
 
     @property
     def label(self) -> str:
+        """Return the label of the part."""
         return self.where.object.Label
 
     @property
     def volume(self) -> float:
+        """Return the volume of its solids, mm^3."""
         return sum(s.Volume for s in self.solids)
 
     @property
     def box(self):
+        """Return the bounding box of its solids."""
         total = App.BoundBox()
         for box in self.boxes:
             total.add(box)
@@ -67,6 +70,7 @@ class Guide:
 
     @property
     def length(self) -> float:
+        """Return the length, mm."""
         return self.high - self.low
 
 
@@ -160,7 +164,7 @@ def _to_z(u: App.Vector) -> tuple[App.Vector, float]:
 # -- contacts --------------------------------------------------------------------------------------------------------
 @dataclass(frozen=True)
 class Contact:
-    """Two solids of different pieces that touch, or stand close where one of them is a guide."""
+    """Two solids of different pieces that touch, or that are close to each other if one of them is a guide."""
 
     one: tuple[int, int]  # piece, solid
     other: tuple[int, int]
@@ -168,7 +172,7 @@ class Contact:
 
 
 def contacts(pieces: list[Piece], found_guides: list[Guide], progress=None) -> list[Contact]:
-    """All pairs of solids of different pieces that touch, and what stands close to a guide."""
+    """Return all pairs of solids of different pieces that touch, and the solids close to a guide."""
     known = {(g.piece, g.solid): CLEARANCE * g.width for g in found_guides}
     flat = [(p, s, solid, box) for p, piece in enumerate(pieces)
             for s, (solid, box) in enumerate(zip(piece.solids, piece.boxes))]  # fmt: skip

@@ -62,7 +62,7 @@ def box(shape):
 
 
 def number(shape, name: str) -> float:
-    """A property such as "Length", "Area" or "Volume" of a shape; 0 where it cannot be told."""
+    """Return a property such as "Length", "Area" or "Volume" of a shape; 0 if FreeCAD cannot compute it."""
     try:
         value = float(getattr(shape, name)) if is_something(shape) else 0.0
     except FAILS:

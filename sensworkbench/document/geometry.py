@@ -134,9 +134,9 @@ def centre_of_mass(where: list[Place]) -> App.Vector | None:
 
 
 def _mass(leaf: Place, shape) -> tuple[App.Vector, float]:
-    """(centre, volume) of the solids of `shape`, which stands at `leaf`.
+    """Return (centre, volume) of the solids of `shape`, which is at `leaf`.
 
-    Remembered for the geometry without its place, so that moving a part does not integrate it again.
+    The result is kept for the geometry without its placement, so that moving a part does not integrate it again.
     """
     real = _real(leaf)
     key = (real.Document.Name, real.Name)

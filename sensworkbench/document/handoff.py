@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From plain Python into FreeCAD: run one verb of the command line inside freecadcmd, with its true exit status.
+"""Run one verb of the command line inside freecadcmd, from plain Python, with its true exit status.
 
 freecadcmd given a script file ends with 0 whatever happened, refuses options, and opens files that it finds among the
-arguments; given code with -c it does none of that.  So the arguments travel in the environment.  Needs no FreeCAD.
+arguments; given code with -c it does none of that.  Therefore the arguments are passed in the environment.  Needs no
+FreeCAD.
 """
 
 from __future__ import annotations

@@ -44,10 +44,10 @@ def apart(objects) -> list:
 
 
 def split(obj) -> list:
-    """Give each solid of a compound an object of its own, in an App::Part where the compound stands; returns them.
+    """Give each solid of a compound an object of its own, in an App::Part at the place of the compound; return them.
 
     A compound of other objects (as FreeCAD up to 0.21 imports STEP files) already has them: they are shown instead.
-    The compound stays, hidden.  Refuses an object with fewer than two solids.  Opens no transaction.
+    The compound remains, hidden.  Refuses an object with fewer than two solids.  Opens no transaction.
     """
     if obj.TypeId in COMPOUNDS and len(obj.Links) > 1 and obj.Placement.isIdentity():
         parts = sorted(obj.Links, key=lambda part: part.ID)  # the import lists them in no order
@@ -101,7 +101,7 @@ def whole_containers(groups: dict[str, list[Place]]) -> dict[str, list[Place]]:
 
 
 def _outer(where: Place) -> list[Place]:
-    """The containers that a place stands in, from the outermost one inwards."""
+    """Return the containers of a place, from the outermost one inwards."""
     names = where.path.rstrip(".").split(".") if where.path else []
     found = [Place(where.root, ".".join(names[:n]) + "." if n else "") for n in range(len(names))]
     return [

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Joints of FreeCAD's Assembly workbench as geometry: which parts they connect, their frames, how far a slider stands.
+"""Joints of FreeCAD's Assembly workbench as geometry: the parts they connect, their frames, the position of a slider.
 
-Everything is read from the joints' properties along paths, so it needs no Assembly module and holds for links to
-assemblies in other documents.  1.0 writes references from the assembly, 1.1 from the component; both are understood.
+Everything is read from the joints' properties along paths, so it needs no Assembly module and is valid for links to
+assemblies in other documents.  1.0 writes references from the assembly, 1.1 from the component; both are read.
 """
 
 from __future__ import annotations
@@ -17,10 +17,12 @@ Z = App.Vector(0, 0, 1)
 
 
 def is_joint(obj) -> bool:
+    """Whether an object is a joint between two parts."""
     return hasattr(obj, "JointType") and hasattr(obj, "Reference1") and hasattr(obj, "Placement1")
 
 
 def is_ground(obj) -> bool:
+    """Whether an object grounds a part."""
     return hasattr(obj, "ObjectToGround")
 
 
@@ -30,6 +32,7 @@ def is_active(obj) -> bool:
 
 
 def is_assembly(obj) -> bool:
+    """Whether an object is an assembly or a link to one."""
     return obj is not None and obj.TypeId in ("Assembly::AssemblyObject", "Assembly::AssemblyLink")
 
 
@@ -71,7 +74,7 @@ def below(where: Place, assembly) -> str:
 
 
 def assembly_place(where: Place) -> Place:
-    """The assembly occurrence that the joint at `where` stands in."""
+    """Return the assembly occurrence that contains the joint at `where`."""
     names = [n for n in where.path.split(".") if n][:-1]
     chain = where.chain[:-1]
     while chain and _is_folder(chain[-1]):
@@ -91,7 +94,7 @@ def frame(where: Place, side: int) -> App.Placement:
 
 
 def distance(where: Place) -> float:
-    """How far side 2 of the slider at `where` stands from side 1 along the slider's axis, mm, with sign."""
+    """Return the signed distance of side 2 of the slider at `where` from side 1 along the slider's axis, mm."""
     return (frame(where, 1).inverse() * frame(where, 2)).Base.z
 
 
@@ -124,7 +127,9 @@ def joint_place(source) -> Place | None:
 
 
 def position(machine, axis, parts: list[Place]) -> float | None:
-    """Where the slider that gives an axis its direction stands, in the axis's own sense, mm; None without a slider."""
+    """Return the position of the slider that gives an axis its direction, in the axis's own sense, mm; None without
+    a slider.
+    """
     where = joint_place(axis.DirectionSource)
     if where is None:
         return None

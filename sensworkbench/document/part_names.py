@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the name of a part says about its place in the machine, in English, German and Korean.  Only ever a proposal."""
+"""Guess the body of a part from its name, in English, German and Korean.  Only ever a proposal."""
 
 from __future__ import annotations
 
@@ -27,9 +27,10 @@ TOOL_POINT = re.compile(r"tool.?(point|tip|centre|center)|\btcp\b|\btip\b|werkze
 
 
 def guess(label: str) -> str:
-    """Body that a part of this name belongs to: F, X, Y, Z, T, W, or "" where the name says nothing.
+    """Return the body that a part of this name belongs to: F, X, Y, Z, T, W, or "" if the name does not show it.
 
-    Rails, screws, motors and scales are often called by the letter of their axis but belong to either side of it: "".
+    Rails, screws, motors and scales are often called by the letter of their axis but may belong to either side of it:
+    "".
     """
     text = label.replace("_", " ").strip()
     text = re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text)  # CarriageX -> Carriage X

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a linked part or piece of geometry really stands: object, path, element, and the placement along the path.
+"""Positions of linked parts and pieces of geometry: object, path, element, and the placement along the path.
 
-A part in a moved App::Part, behind an App::Link or in another document stands where its whole path puts it; the same
-part linked twice has two paths.  FreeCAD's own global placement ignores links, so nothing here uses it.
+The position of a part in a moved App::Part, behind an App::Link or in another document follows from its whole path; a
+part that is linked twice has two paths.  FreeCAD's own global placement ignores links, so it is not used here.
 """
 
 from __future__ import annotations
@@ -33,7 +33,9 @@ def _is_body(obj) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class Place:
-    """An object where it stands.  root : topmost object.  path : "Inner.Link.Part." or "".  element : "Face6" or ""."""
+    """An occurrence of an object.  root : topmost object.  path : "Inner.Link.Part." or "".  element : "Face6" or
+    "".
+    """
 
     root: App.DocumentObject
     path: str = ""
@@ -52,10 +54,12 @@ class Place:
 
     @property
     def object(self):
+        """Return the object at the end of the path."""
         return self.chain[-1]
 
     @property
     def label(self) -> str:
+        """Return the object's label, with the element if there is one."""
         return self.object.Label + (f" {self.element}" if self.element else "")
 
     @cached_property
@@ -94,6 +98,7 @@ class Place:
         return shape
 
     def child(self, obj) -> Place:
+        """Return the place of an object inside this one."""
         return Place(self.root, f"{self.path}{obj.Name}.")
 
 
@@ -127,7 +132,9 @@ def place(link) -> Place | None:
 
 
 def _whole(found: Place) -> Place:
-    """Parts move as wholes: the element goes, and a feature inside a PartDesign body stands for the body."""
+    """Return the place of the whole part: without its element, and with a PartDesign body in place of a feature
+    inside it.
+    """
     names = found.path.rstrip(".").split(".") if found.path else []
     for i, obj in enumerate(found.chain):
         if _is_body(obj):
@@ -136,7 +143,9 @@ def _whole(found: Place) -> Place:
 
 
 def places(links) -> list[Place]:
-    """The `Place`s of a PropertyXLinkSubList value or a list of what `place` takes; folders stand for their content."""
+    """Return the `Place`s of a PropertyXLinkSubList value or of a list of what `place` takes; folders give their
+    content.
+    """
     found = []
     for link in links:
         obj, subs = link if isinstance(link, (tuple, list)) else (link, "")

@@ -15,6 +15,7 @@ import FreeCAD as App
 
 
 class Installation(unittest.TestCase):
+    """Test an installed add-on: an example machine is made, computed, saved and read back."""
     def setUp(self):
         self.doc = App.newDocument("SensSelfTest")
 
@@ -24,6 +25,7 @@ class Installation(unittest.TestCase):
                 App.closeDocument(name)
 
     def test_an_example_machine_is_computed_saved_and_read_back(self):
+        """Make an example machine, compute it, save it, open it again and compare the indices."""
         from . import examples, factory, results
 
         machine = examples.make_example(self.doc, "XYFZ")

@@ -31,6 +31,7 @@ def cylinder(along: str, centre, radius: float, low: float, high: float):
 
 
 def cone(along: str, centre, radius_low: float, radius_high: float, low: float, high: float):
+    """Return a truncated cone between `low` and `high` along an axis."""
     base = V(*centre)
     setattr(base, along.lower(), low)
     return Part.makeCone(radius_low, radius_high, high - low, base, UNIT[along])
@@ -53,10 +54,12 @@ def tower(bottom, top, z):
 
 
 def union(*shapes):
+    """Return one solid made of several."""
     return shapes[0].multiFuse(list(shapes[1:])).removeSplitter() if len(shapes) > 1 else shapes[0]
 
 
 def without(shape, *cuts):
+    """Return a solid with others cut out of it."""
     return shape.cut(Part.makeCompound(list(cuts)))
 
 
@@ -97,7 +100,9 @@ def _section(along: str, outline, at, up: str, sign: int):
 
 
 def rail(along: str, at, low: float, high: float, up: str = "Z", sign: int = 1):
-    """Profiled rail on a surface: `at` is a point of its seat, `up` and `sign` the side it stands out on."""
+    """Return a profiled rail on a surface: `at` is a point of its seat, `up` and `sign` the side on which it
+    projects.
+    """
     shape = prism(along, _section(along, _RAIL, at, up, sign), low, high)
     holes, count = [], max(2, int((high - low) // 120))
     for i in range(count):
@@ -109,7 +114,9 @@ def rail(along: str, at, low: float, high: float, up: str = "Z", sign: int = 1):
 
 
 def block(along: str, at, centre: float, half: float = 45.0, up: str = "Z", sign: int = 1):
-    """Guide block on the rail that sits at `at`, its middle at `centre` along the axis; stands 58 above the seat."""
+    """Return a guide block on the rail whose seat is at `at`, with its middle at `centre` along the axis, 58 mm
+    above the seat.
+    """
     return prism(along, _section(along, _BLOCK, at, up, sign), centre - half, centre + half)
 
 

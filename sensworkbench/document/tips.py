@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where the tip of a tool is when a person points at the tool: a click in the view picks a side face, not the tip.
+"""Find the tip of a tool when a person selects the tool: a click in the view selects a side face, not the tip.
 
-The side of a cylinder or cone stands for the middle of its rim that is farther from what carries the tool.
+For the side of a cylinder or cone, the tip is the middle of the rim that is farther from the tool's carrier.
 """
 
 from __future__ import annotations
