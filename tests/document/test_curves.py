@@ -11,23 +11,9 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.document import contacts, curves, factory, geometry, proposals
 from sensworkbench.document.paths import place
 
+from .machines import offset_block
+
 V = App.Vector
-
-
-def wave(offset: float = 0.0):
-    """An edge along a spline, or along a curve at a distance from it."""
-    spline = Part.BSplineCurve()
-    spline.interpolate([V(0, 0, 0), V(10, 2, 0), V(20, 0, 0), V(30, 5, 0)])
-    return (Part.OffsetCurve(spline, offset, V(0, 0, 1)) if offset else spline).toShape()
-
-
-def offset_block():
-    """A block one of whose walls lies on an offset curve."""
-    side = wave(2.0)
-    ends = [v.Point for v in side.Vertexes]
-    others = [Part.makeLine(a, b) for a, b in ((ends[1], V(30, -40, 0)), (V(30, -40, 0), V(0, -40, 0)),
-                                               (V(0, -40, 0), ends[0]))]  # fmt: skip
-    return Part.Face(Part.Wire(Part.__sortEdges__([side, *others]))).extrude(V(0, 0, 20))
 
 
 HOSTILE = {

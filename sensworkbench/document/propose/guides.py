@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What slides on what: rails and blocks, shafts and bushings, profiles and wheels, dovetails, channels in wood.
+
+Every contact that leaves a direction free is weighed by what the parts are called, by walls on both sides, and by the
+room there is to travel; parallel rails of equal length and reach are one guide.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .facets import Solid
+from .reading import Document
+from .touching import PLAY, TOUCH, contact, freedoms, near_pairs, together
+
+RIGID = {"motor", "support", "bearing", "drive", "fastener", "loose"}  # these hold, or turn; nothing slides on them
+RAILS = {"rail", "shaft"}
+RIDERS = {"block", "wheel", "nut"}
+SLENDER = 6.0
+SEAT = 0.62  # what covers more of a rail than this is its seat
+PARALLEL = 0.9994  # cosine of 2 degrees
+
+
+@dataclass
+class Slide:
+    """Solid `rider` = (unit, solid) slides along u on solid `rail`, from `low` to `high`; the rail reaches from
+    `start` to `end`; mm along u.  weight : 0 to 1, how much speaks for it.  kind : of guide, a code."""
+
+    rail: tuple[int, int]
+    rider: tuple[int, int]
+    u: np.ndarray
+    weight: float
+    kind: str
+    low: float
+    high: float
+    start: float
+    end: float
+
+    @property
+    def length(self) -> float:
+        return self.end - self.start
+
+
+@dataclass
+class Guide:
+    """Slides that are one guide: their rails are on one body, their riders on another (or several along it)."""
+
+    slides: list[Slide]
+
+    @property
+    def u(self) -> np.ndarray:
+        return max(self.slides, key=lambda s: (s.weight, s.length)).u
+
+    @property
+    def weight(self) -> float:
+        best = sorted((s.weight for s in self.slides), reverse=True)
+        return min(0.97, best[0] + 0.05 * min(3, len({s.rail for s in self.slides}) - 1))
+
+    @property
+    def kind(self) -> str:
+        return max(self.slides, key=lambda s: s.weight).kind
+
+    @property
+    def rails(self) -> set[int]:
+        return {s.rail[0] for s in self.slides}
+
+    @property
+    def riders(self) -> set[int]:
+        return {s.rider[0] for s in self.slides}
+
+    @property
+    def length(self) -> float:
+        return max(s.length for s in self.slides)
+
+
+@dataclass
+class Touching:
+    """All that touches: contacts of pairs of solids, and what may slide."""
+
+    contacts: list = field(default_factory=list)
+    slides: list[Slide] = field(default_factory=list)
+    screws: list[Slide] = field(default_factory=list)
+    cut_short: bool = False
+
+
+def shape_of(solid, size: float) -> tuple[str, np.ndarray | None]:
+    """("bar", direction) of a long thin solid, else ("", None).  size : of the machine, mm."""
+    lengths = solid.size
+    order = np.argsort(lengths)
+    u = np.eye(3)[order[2]]
+    if lengths[order[2]] >= 0.12 * size and lengths[order[2]] >= SLENDER * max(lengths[order[1]], 0.5):
+        return "bar", u
+    if len(solid.radii):  # a bar that stands askew
+        best = int(np.argmax(np.linalg.norm(solid.round_boxes[:, 3:] - solid.round_boxes[:, :3], axis=1)))
+        length = float(np.linalg.norm(solid.round_boxes[best, 3:] - solid.round_boxes[best, :3]))
+        if solid.outside[best] and length > SLENDER * 2 * solid.radii[best] and length > 0.12 * size:
+            if abs(solid.axes[best] @ u) < 0.99 and abs(np.abs(solid.axes[best]).max()) < 0.99:
+                return "bar", solid.axes[best]
+    return "", None
+
+
+def touching(document: Document, axes: np.ndarray, minor: set[int], size: float, watch, until) -> Touching:
+    """Examine all pairs of neighbours.  minor : units that are too small to count.  watch(done, all): true stops."""
+    import time
+
+    units = document.units
+    flat = [(n, k) for n, u in enumerate(units) if n not in minor for k in range(len(u.solids))]
+    found = Touching()
+    if not flat:
+        return found
+    solids = [units[n].solids[k] for n, k in flat]
+    pairs = near_pairs(np.array([s.box for s in solids]), np.array([n for n, _ in flat]), PLAY)
+    pairs.sort(key=lambda p: -min(_diagonal(solids[p[0]]), _diagonal(solids[p[1]])))
+    for number, (i, j) in enumerate(pairs):
+        if number % 50 == 0 and (watch(number, len(pairs)) or time.monotonic() > until):
+            found.cut_short = True
+            break
+        one, other = flat[i], flat[j]
+        kinds = {units[one[0]].hardware, units[other[0]].hardware}
+        loose = bool(kinds & RAILS and kinds & RIDERS)
+        wheeled = "wheel" in kinds
+        touch = contact(solids[i], solids[j], one, other, PLAY if loose or wheeled else TOUCH)
+        if touch is None:
+            continue
+        found.contacts.append(touch)
+        if not kinds & RIGID:
+            _slides(units, touch, solids[i], solids[j], axes, size, found)
+    _between_units(units, axes, size, found)
+    return found
+
+
+def _between_units(units, axes, size: float, found: Touching) -> None:
+    """Parts of several solids that hold each other by several of them: the legs of a bridge, the runners of a cart."""
+    known = {frozenset((s.rail[0], s.rider[0])) for s in found.slides if s.weight >= 0.5}
+    groups: dict[tuple[int, int], list] = {}
+    for touch in found.contacts:
+        if touch.touches:
+            a, b = touch.one[0], touch.other[0]
+            if a > b:
+                touch = type(touch)(touch.other, touch.one, -touch.normals, touch.areas, touch.boxes,
+                                    [(k[0], k[1], 1 - k[2], *k[3:]) for k in touch.bores])  # fmt: skip
+                a, b = b, a
+            groups.setdefault((a, b), []).append(touch)
+    for (a, b), group in groups.items():
+        if len(group) > 1 and frozenset((a, b)) not in known and not {units[a].hardware, units[b].hardware} & RIGID:
+            names = units[a].hardware, units[b].hardware
+            touch = together(group)
+            boxes = [Solid(units[n].box) for n in (a, b)]
+            options = [_weighed(units, touch, *boxes, names, free, size) for free in freedoms(touch, axes)]
+            best = max((s for s in options if s is not None), key=lambda s: s.weight, default=None)
+            if best is not None and best.kind != "screw":
+                found.slides.append(best)
+
+
+def _diagonal(solid) -> float:
+    return float(np.linalg.norm(solid.size))
+
+
+def _slides(units, touch, a, b, axes, size: float, found: Touching) -> None:
+    names = units[touch.one[0]].hardware, units[touch.other[0]].hardware
+    if "wheel" in names and any(n in ("extrusion", "rail", "shaft", "") for n in names):
+        _wheel(units, touch, a, b, names, size, found)
+        return
+    if not touch.touches:
+        if set(names) & RAILS and "block" in names:
+            _along_bar(units, touch, a, b, names, size, found, 0.7)
+        return
+    best = None
+    for free in freedoms(touch, axes):
+        slide = _weighed(units, touch, a, b, names, free, size)
+        if slide is not None and (best is None or slide.weight > best.weight):
+            best = slide
+    if best is None:
+        if set(names) & RAILS and "block" in names:
+            _along_bar(units, touch, a, b, names, size, found, 0.75)
+        return
+    (found.screws if best.kind == "screw" else found.slides).append(best)
+
+
+def _along_bar(units, touch, a, b, names, size, found, weight: float) -> None:
+    """Rail and block by their names, whatever their faces say: along the rail."""
+    rail_first = names[0] in RAILS
+    rail = a if rail_first else b
+    kind, u = shape_of(rail, size)
+    if u is None:
+        return
+    slide = _slide(touch, rail_first, u, weight, "rail-named", a, b)
+    if slide is not None and (slide.high - slide.low) < SEAT * slide.length:
+        found.slides.append(slide)
+
+
+def _wheel(units, touch, a, b, names, size, found) -> None:
+    bar_first = names[1] == "wheel"
+    bar, wheel = (a, b) if bar_first else (b, a)
+    lengths = bar.size
+    order = np.argsort(lengths)
+    if lengths[order[2]] < 2.0 * lengths[order[1]] or lengths[order[2]] < 3 * _diagonal(wheel):
+        return
+    slide = _slide(touch, bar_first, np.eye(3)[order[2]], 0.55, "wheels", a, b)
+    if slide is not None:
+        axis = wheel.axes[int(np.argmax(wheel.radii))] if len(wheel.radii) else None
+        if axis is not None and abs(axis @ slide.u) > 0.5:
+            return
+        slide.weight = 0.85 if names[0 if bar_first else 1] in ("extrusion", "rail") else 0.6
+        found.slides.append(slide)
+
+
+def _slide(touch, rail_first: bool, u, weight: float, kind: str, a, b) -> Slide | None:
+    u = u if u[np.argmax(np.abs(u))] > 0 else -u
+    rail, rider = (a, b) if rail_first else (b, a)
+    keys = (touch.one, touch.other) if rail_first else (touch.other, touch.one)
+    (start, end), (low, high) = rail.extent(u), rider.extent(u)
+    if end - start <= 0 or high <= start or low >= end:
+        return None
+    return Slide(*keys, u, weight, kind, max(low, start), min(high, end), start, end)
+
+
+def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
+    """The slide that a free direction means, with its weight, or None."""
+    (la, ha), (lb, hb) = a.extent(free.u), b.extent(free.u)
+    long_first = ha - la >= hb - lb
+    rider_first = names[0] in RIDERS and names[1] not in RIDERS
+    if names[1] in RIDERS and names[0] not in RIDERS:
+        long_first = True
+    elif rider_first:
+        long_first = False
+    elif names[0] in RAILS and names[1] not in RAILS:
+        long_first = True
+    elif names[1] in RAILS and names[0] not in RAILS:
+        long_first = False
+    slide = _slide(touch, long_first, free.u, 0.0, "contact", a, b)
+    if slide is None:
+        return None
+    rail, rider = (a, b) if long_first else (b, a)
+    rail_name, rider_name = names if long_first else names[::-1]
+    cover = (slide.high - slide.low) / slide.length
+    bar, along = shape_of(rail, size)
+    is_bar = bar and abs(along @ free.u) > 0.99
+    if free.barred > 0.25:
+        return None
+    clear = 1.0 if free.barred < 0.02 else 0.6
+    if "screw" in names:
+        if rider_name == "nut" and rail_name == "screw":
+            slide.weight, slide.kind = 0.35, "screw"
+            return slide
+        return None
+    if rail_name in RAILS and rider_name == "block":
+        if cover > SEAT or not (is_bar or slide.length > 2.5 * (slide.high - slide.low)):
+            return None
+        slide.weight, slide.kind = 0.92 * clear, "rail-named"
+        return slide
+    if rail_name in RAILS and not rider_name:
+        if cover > SEAT or not is_bar:
+            return None
+        at_end = min(slide.low - slide.start, slide.end - slide.high) < 0.06 * slide.length
+        bored = any(abs(k[0] @ free.u) > 0.999 for k in touch.bores)
+        if bored and at_end:
+            return None
+        slide.weight, slide.kind = (0.68 if free.guided else 0.3) * clear * (0.6 if at_end else 1), "rail-named"
+        return slide
+    if rider_name in ("block",) and not rail_name and free.guided and is_bar and cover < SEAT:
+        slide.weight, slide.kind = 0.75 * clear, "rail-shape"
+        return slide
+    if rail_name or rider_name:
+        return None
+    if is_bar and cover < SEAT and free.guided and free.walls != 1:
+        at_end = min(slide.low - slide.start, slide.end - slide.high) < 0.04 * slide.length
+        bored = any(abs(k[0] @ free.u) > 0.999 for k in touch.bores)
+        if at_end and bored:
+            return None
+        slide.weight, slide.kind = 0.72 * clear, "rail-shape"
+        return slide
+    rider_length = slide.high - slide.low
+    room = 1 - rider_length / slide.length
+    bored = any(abs(k[0] @ free.u) > 0.999 for k in touch.bores)
+    if not free.guided or free.length < 0.03 * size or (bored and free.length < 2 * touch.bores[0][1]):
+        return None
+    if free.length < 1.2 * free.width and free.length < 0.12 * size:
+        return None
+    slide.kind = "dovetail" if free.walls >= 3 else "channel"
+    slide.weight = clear * min(0.66, 0.25 + 0.6 * max(0.0, room) + 0.06 * min(free.walls, 4))
+    if bored:
+        slide.kind, slide.weight = "bore", slide.weight * 0.6
+    return slide
+
+
+def grouped(slides: list[Slide], size: float) -> list[Guide]:
+    """The guides that slides belong to, the surest first."""
+    groups: list[list[Slide]] = []
+    for slide in sorted(slides, key=lambda s: -s.weight):
+        home = None
+        for group in groups:
+            if any(_together(slide, other, size) for other in group):
+                if home is None:
+                    group.append(slide)
+                    home = group
+                else:
+                    home += group
+                    group.clear()
+        if home is None:
+            groups.append([slide])
+    made = [Guide(g) for g in groups if g]
+    return sorted(made, key=lambda g: -(g.weight + 0.1 * min(1.0, g.length / size)))
+
+
+def _together(a: Slide, b: Slide, size: float) -> bool:
+    if abs(a.u @ b.u) < PARALLEL:
+        return False
+    if a.rail == b.rail or a.rider == b.rider:
+        return True
+    if a.rail[0] == b.rail[0] and a.rider[0] == b.rider[0]:
+        return True
+    if a.kind != b.kind and {a.kind, b.kind} & {"dovetail", "channel", "bore"}:
+        return False
+    if abs(a.length - b.length) > 0.1 * max(a.length, b.length):
+        return False
+    shared = min(a.end, b.end) - max(a.start, b.start)
+    if shared < 0.85 * min(a.length, b.length):
+        return False
+    return a.kind in ("rail-named", "rail-shape", "wheels") and a.kind == b.kind
