@@ -77,9 +77,9 @@ def make_home(folder: Path, addon: bool) -> Home:
     startup.make_home(folder, None)
     if addon:
         target = folder / "Mod" / "SensWorkbench"
-        if (ROOT / ".git").exists():
+        if (ROOT / ".git").is_dir():
             subprocess.run(["git", "clone", "-q", "--no-hardlinks", str(ROOT), str(target)], check=True, timeout=120)
-        else:  # unpacked from an archive
+        else:  # unpacked from an archive, or a work tree of a repository elsewhere
             shutil.copytree(ROOT, target, ignore=shutil.ignore_patterns(".venv", "build", "__pycache__"))
     return Home(folder)
 
