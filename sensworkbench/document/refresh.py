@@ -10,8 +10,9 @@ from ..messages import Refused
 from .base import alive, members, put
 from .extract import Survey, survey
 from .joints import position
+from .paths import Place
 from .staleness import TOLERANCE, mark_results, mark_traces, result_inputs
-from .tree import parts_of
+from .tree import all_parts, part_index, parts_of
 
 
 def refresh(machine, seen: Survey | None = None) -> Survey | None:
@@ -68,6 +69,16 @@ def latest(machine) -> Survey:
     if kept is not None and not any("Touched" in o.State for o in (machine, *machine.OutListRecursive)):
         return kept
     return survey(machine)
+
+
+def parts_and_index(machine) -> tuple[dict[str, list[Place]], dict[tuple, str]]:
+    """(body -> its parts, occurrence of a part -> its body), also of a machine that cannot be computed."""
+    try:
+        found = latest(machine)
+    except Refused:
+        parts = all_parts(machine)
+        return parts, part_index(machine, parts)
+    return found.parts, found.index
 
 
 def _check_positions(machine, found: Survey):

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import FreeCAD as App
 
-from ..document import paths, tree
+from ..document import paths, refresh, tree
 from .colormap import NO_DATA, Scale
 
 _MATERIAL = ("AmbientColor", "DiffuseColor", "EmissiveColor", "SpecularColor")
@@ -52,8 +52,7 @@ def targets(machine) -> dict[str, list[Target]]:
 
     A link behind which everything belongs to one body is coloured as a whole, otherwise part by part.
     """
-    parts = tree.all_parts(machine)
-    index = tree.part_index(machine, parts)
+    parts, index = refresh.parts_and_index(machine)
     found: dict[str, dict[str, Target]] = {b: {} for b in parts}
     owners: dict[str, set] = {}
     seen = []
