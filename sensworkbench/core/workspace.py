@@ -65,10 +65,28 @@ def _counts(machine: Machine, counts, least: int) -> tuple[int, ...]:
 
 
 def quadrature(machine: Machine, order=DEFAULT_ORDER) -> Positions:
-    """Gauss-Legendre positions over the travel, `order` per joint (an int or one per joint)."""
+    """Gauss-Legendre positions over the travel, `order` per joint (an int or one per joint).
+
+    An endless joint has equal steps of a turn instead, the rule of highest order for what repeats itself.
+    """
     counts = _counts(machine, order, 1)
-    rules = [np.polynomial.legendre.leggauss(c) for c in counts]
+    rules = [
+        _turn(c) if j.travel is None else np.polynomial.legendre.leggauss(c) for j, c in zip(machine.joints, counts)
+    ]
     return _product(machine, [r[0] for r in rules], [r[1] for r in rules], counts, "quadrature")
+
+
+def _turn(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Nodes in [-1, 1] and weights of the midpoint rule."""
+    return (2 * np.arange(count) + 1) / count - 1, np.ones(count)
+
+
+def default_order(machine: Machine) -> tuple[int, ...]:
+    """DEFAULT_ORDER per linear joint, and more per rotary joint, over which errors turn, as far as is affordable."""
+    turning = sum(not j.slides for j in machine.joints)
+    left = AFFORDABLE / DEFAULT_ORDER ** (len(machine.joints) - turning)
+    more = next((c for c in (32, 24, 16, 12) if c**turning <= left), DEFAULT_ORDER)
+    return tuple(DEFAULT_ORDER if j.slides else more for j in machine.joints)
 
 
 def grid(machine: Machine, count=DEFAULT_GRID) -> Positions:
@@ -105,9 +123,10 @@ def _radical_inverse(count: int, base: int) -> np.ndarray:
 
 
 def default_positions(machine: Machine) -> Positions:
-    """Quadrature of order 8 where that is affordable, else a low-discrepancy set."""
-    if DEFAULT_ORDER ** len(machine.joints) <= AFFORDABLE:
-        return quadrature(machine)
+    """Quadrature of `default_order` where that is affordable, else a low-discrepancy set."""
+    order = default_order(machine)
+    if np.prod(order) <= AFFORDABLE:
+        return quadrature(machine, order)
     return low_discrepancy(machine)
 
 
