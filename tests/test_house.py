@@ -347,7 +347,8 @@ def silent(texts: dict[str, str]) -> list[str]:
     """Public functions, classes and methods without a docstring: "where:line name".
 
     A method needs none where a base class, found by its name, says what it does, where FreeCAD or Qt calls it, or where
-    it sets a property whose getter says it.
+    it sets a property whose getter says it; nor does a command, whose `tip` says it, or a verb's `add` and `run`, which
+    `cli.verbs` describes.
     """
     bases, told = {}, set()
     for text in texts.values():
@@ -373,6 +374,10 @@ def silent(texts: dict[str, str]) -> list[str]:
                 or re.search(r"[a-z][A-Z]|^[A-Z]", node.name)
                 or any(ast.unparse(d).endswith((".setter", "overload")) for d in node.decorator_list)
                 or inherited(owner.name, node.name)
+            )
+            excused = excused or ("/verbs/" in where and node.name in ("add", "run"))
+            excused = excused or any(
+                isinstance(n, ast.Assign) and ast.unparse(n.targets[0]) == "tip" for n in node.body
             )
             if not ast.get_docstring(node) and not excused:
                 found.append(f"{where}:{node.lineno} {node.name}")

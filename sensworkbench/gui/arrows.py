@@ -149,5 +149,6 @@ class Arrows:
             self._lines.addChild(child)
 
     def clear(self) -> None:
+        """Remove all arrows and outlines."""
         self.show((), 1.0)
         self.outline(())

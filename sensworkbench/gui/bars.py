@@ -9,6 +9,7 @@ BAR = Qt.UserRole + 1  # (first, total, largest, (r, g, b)) of a cell
 
 
 def qcolour(rgb, alpha: float = 1.0):
+    """Return a QColor of red, green, blue and alpha in 0 to 1."""
     return QtGui.QColor.fromRgbF(*[min(max(float(c), 0.0), 1.0) for c in rgb], alpha)
 
 
@@ -62,15 +63,18 @@ class ComponentBars(QtGui.QWidget):
         self.setMouseTracking(True)
 
     def show_blocks(self, blocks) -> None:
+        """Show one bar for each block (a component with its errors)."""
         self.blocks = list(blocks)
         self.setMinimumHeight(self.BLOCK * len(self.blocks) + 46)
         self.update()
 
     def choose(self, body: str) -> None:
+        """Mark the bar of a body as selected."""
         self.chosen = body
         self.update()
 
     def block_at(self, y: float):
+        """Return the block at height `y` (pixels), or None."""
         i = int((y - 6) // self.BLOCK)
         return self.blocks[i] if 0 <= i < len(self.blocks) else None
 

@@ -43,6 +43,7 @@ class Scale:
     name: str = "viridis"
 
     def fraction(self, value) -> float | None:
+        """Return the place of a value between the limits, 0 to 1 inside; None for no value."""
         if value is None or not math.isfinite(value):
             return None
         if not self.upper > self.lower:
@@ -50,6 +51,7 @@ class Scale:
         return (value - self.lower) / (self.upper - self.lower)
 
     def colour(self, value) -> tuple[float, float, float]:
+        """Return the colour (red, green, blue) of a value, 0 to 1; grey for no value."""
         return colour(self.fraction(value), self.name)
 
     def ticks(self, wanted: int = 5) -> list[float]:

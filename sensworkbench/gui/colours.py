@@ -29,6 +29,7 @@ class Target:
 
     @property
     def key(self) -> str:
+        """Return the text under which its own colours are stored in the document."""
         return f"{self.obj.Name}|{self.element}" if self.element else self.obj.Name
 
 

@@ -40,6 +40,7 @@ def scale(result) -> Scale:
 
 
 def title(result) -> str:
+    """Return the title of the legend: which index the colours show."""
     return {
         "Mean": translate("Sens", "Total index Sᵀ of the component"),
         "Largest": translate("Sens", "Largest total index Sᵀ of the component"),
@@ -49,6 +50,7 @@ def title(result) -> str:
 
 
 def legend_text(machine, result) -> LegendText:
+    """Return what the legend says: title, unit, positions, objective and convention."""
     lines = [
         translate("Sens", "Unit: 1 (share of the variance)"),
         positions_text(result),
@@ -120,6 +122,7 @@ def ask_for_frame() -> None:
 
 
 def results(doc) -> list:
+    """Return the results of a document that are not damaged."""
     return [o for o in doc.Objects if kind_of(o) == "Sensitivity" and alive(o)]
 
 

@@ -35,6 +35,7 @@ def places(core, q: np.ndarray) -> np.ndarray:
 
 
 def title(objective, what: str) -> str:
+    """Return the title of the map's legend."""
     if objective.signed:
         return (translate("Sens", "Upper estimate |E[Y]| + 2√V(Y)") if what == WORST
                 else translate("Sens", "Expected error √(E[Y]² + V(Y))"))  # fmt: skip
@@ -83,6 +84,7 @@ class ErrorMap:
 
     @property
     def shown(self) -> bool:
+        """Whether the map is visible."""
         return self._switch.whichChild.getValue() == 0
 
     def show(self, machine, colour_map: str, corner: str, what: str = EXPECTED, form: str = POINTS,
@@ -120,5 +122,6 @@ class ErrorMap:
         self._text = LegendText(title(objective, what), unit, words, short=short, note=note)
 
     def hide(self) -> None:
+        """Hide the map and its legend."""
         self._switch.whichChild = coin.SO_SWITCH_NONE
         self.legend.hide()

@@ -88,6 +88,7 @@ def export(machine, folder) -> list[Path]:
 
 
 def ask_and_export(machine) -> None:
+    """Ask for a folder and write the report of a machine's result to it."""
     folder = messages.ask_folder(translate("Sens", "Folder for the report"))
     if folder:
         paths = export(machine, folder)

@@ -13,10 +13,12 @@ RESOURCES = os.path.join(ROOT, "resources")
 
 
 def icon_path(name: str) -> str:
+    """Return the path of an icon, by its name without `.svg`."""
     return os.path.join(RESOURCES, "icons", f"{name}.svg")
 
 
 def translations() -> str:
+    """Return the folder of the compiled translations."""
     return os.path.join(RESOURCES, "translations")
 
 

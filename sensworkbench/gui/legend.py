@@ -189,9 +189,11 @@ class Legend:
 
     @property
     def shown(self) -> bool:
+        """Whether the legend is visible."""
         return self._content is not None
 
     def show(self, text: LegendText, scale: Scale, corner: str = "Upper left") -> None:
+        """Show the legend of a scale in a corner of the view."""
         if (text, scale, corner) == self._content:
             return
         self._content = (text, scale, corner)
@@ -202,6 +204,7 @@ class Legend:
         self._switch.whichChild = 0
 
     def hide(self) -> None:
+        """Hide the legend."""
         self._content = None
         self._switch.whichChild = coin.SO_SWITCH_NONE
 

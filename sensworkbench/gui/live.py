@@ -73,6 +73,7 @@ class Task:
         gc.disable()
 
     def progress(self, fraction: float) -> bool:
+        """Store the finished share; return False when the work has been cancelled."""
         self.fraction = fraction
         return not self.cancelled
 

@@ -87,6 +87,7 @@ def status(text: str) -> None:
 
 
 def icon(name: str) -> str:
+    """Return the path of an icon, by its name without `.svg`."""
     from .files import icon_path
 
     return icon_path(name)

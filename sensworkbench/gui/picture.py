@@ -20,12 +20,14 @@ def set_image(node, image) -> None:
 
 
 def blank(width: float, height: float):
+    """Return a transparent image of this size, pixels."""
     image = QtGui.QImage(max(1, int(width)), max(1, int(height)), QtGui.QImage.Format_ARGB32_Premultiplied)
     image.fill(0)
     return image
 
 
 def font(pixels: float, *, bold: bool = False):
+    """Return the application's font at a height in pixels."""
     found = QtGui.QFont(QtGui.QApplication.font())
     found.setPixelSize(max(6, int(round(pixels))))
     found.setBold(bold)
@@ -38,6 +40,7 @@ def text_width(letters, text: str) -> int:
 
 
 def painter(image):
+    """Return a painter on an image, with smooth lines and text."""
     pen = QtGui.QPainter(image)
     pen.setRenderHint(QtGui.QPainter.Antialiasing, True)
     pen.setRenderHint(QtGui.QPainter.TextAntialiasing, True)

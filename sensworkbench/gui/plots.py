@@ -40,6 +40,7 @@ class Plot:
         self._legend(legend)
 
     def at(self, x, y):
+        """Return the point of the image (pixels) at x, y of the axes."""
         (x0, x1), (y0, y1) = self.xlim, self.ylim
         return QtCore.QPointF(
             self.box.left() + self.box.width() * (x - x0) / (x1 - x0),
@@ -84,6 +85,7 @@ class Plot:
             x -= 10
 
     def dots(self, x, y, colour, size: float = 3.0):
+        """Draw a point at every (x, y)."""
         shade = QtGui.QColor.fromRgbF(*colour)
         shade.setAlpha(150)
         self.pen.setPen(Qt.NoPen)
@@ -92,6 +94,7 @@ class Plot:
             self.pen.drawEllipse(self.at(a, b), size / 2, size / 2)
 
     def line(self, x, y, colour, width: float = 2.0):
+        """Draw a line through the points (x, y)."""
         self.pen.setPen(QtGui.QPen(QtGui.QColor.fromRgbF(*colour), width))
         self.pen.setBrush(Qt.NoBrush)
         self.pen.drawPolyline(
@@ -112,6 +115,7 @@ class Plot:
         self.pen.drawPolygon(QtGui.QPolygonF(points))
 
     def done(self):
+        """Finish drawing; return the image."""
         self.pen.end()
         return self.image
 

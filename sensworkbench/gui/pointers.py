@@ -107,6 +107,7 @@ def show(machine, bodies, *, detail: bool = True, tool: bool = False) -> None:
 
 
 def clear(machine) -> None:
+    """Remove the arrows of a machine from the view."""
     try:
         proxy = machine.ViewObject.Proxy
     except (ReferenceError, NameError, RuntimeError):  # the machine or its document is gone, and its arrows with it

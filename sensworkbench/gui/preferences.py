@@ -80,6 +80,7 @@ class PreferencePage:
 
 # -- fields that several panels use ----------------------------------------------------------------------------------
 def colour_by_choices():
+    """Return (stored value, text) of each index that colours can show."""
     return [
         ("Mean", translate("Sens", "Total index, mean over the positions")),
         ("Largest", translate("Sens", "Total index, largest over the positions")),
@@ -89,6 +90,7 @@ def colour_by_choices():
 
 
 def corner_choices():
+    """Return (stored value, text) of each corner of the view."""
     return [
         ("Upper left", translate("Sens", "Upper left")),
         ("Upper right", translate("Sens", "Upper right")),
@@ -98,6 +100,7 @@ def corner_choices():
 
 
 def aggregate_choices():
+    """Return (stored value, text) of each way to choose positions."""
     return [
         ("quadrature", translate("Sens", "Workspace, Gauss-Legendre quadrature")),
         ("grid", translate("Sens", "Workspace, regular grid")),
@@ -116,6 +119,7 @@ def combo(choices):
 
 
 def number_box(low: float, high: float, decimals: int = 3, step: float = 0.05, suffix: str = ""):
+    """Return a spin box for numbers from `low` to `high`."""
     box = QtGui.QDoubleSpinBox()
     box.setDecimals(decimals)
     box.setRange(low, high)
@@ -127,12 +131,14 @@ def number_box(low: float, high: float, decimals: int = 3, step: float = 0.05, s
 
 
 def read_field(field):
+    """Return the value of a combo box, check box or spin box."""
     if isinstance(field, QtGui.QComboBox):
         return field.itemData(field.currentIndex())
     return field.isChecked() if isinstance(field, QtGui.QCheckBox) else field.value()
 
 
 def write_field(field, value) -> None:
+    """Set the value of a combo box, check box or spin box."""
     if isinstance(field, QtGui.QComboBox):
         field.setCurrentIndex(max(0, field.findData(value)))
     elif isinstance(field, QtGui.QCheckBox):

@@ -34,6 +34,7 @@ def run(loop) -> object:
 
 
 def main_window():
+    """Return FreeCAD's main window."""
     import FreeCADGui as Gui
 
     return Gui.getMainWindow()

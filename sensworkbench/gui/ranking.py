@@ -27,6 +27,7 @@ class _Item(QtGui.QTreeWidgetItem):
 
 
 def angular(symbol: str) -> bool:
+    """Whether an error is an angle; False for the name of an effect."""
     try:
         return component(symbol).angular
     except Refused:
@@ -171,6 +172,7 @@ class Ranking(QtGui.QWidget):
             view.update(header.sectionViewportPosition(column), 0, header.sectionSize(column), view.height())
 
     def items(self):
+        """Return the rows of the table."""
         return [self.table.topLevelItem(i) for i in range(self.table.topLevelItemCount())]
 
     def bodies(self) -> list[str]:

@@ -169,6 +169,7 @@ class ResidualArrows:
         self.counts: dict[str, int] = {}
 
     def hide(self) -> None:
+        """Remove the arrows and their key."""
         self._content.removeAllChildren()
         self.reference.clear()
         self.key.hide()
@@ -257,6 +258,7 @@ class ViewProviderTrace(ViewProviderSens):
         self.declare(vobj)
 
     def declare(self, vobj):
+        """Add the view properties that a trace of an earlier version lacks."""
         for name, tip, choices, value in (
             ("ShowResiduals", "Residuals of the readings as arrows in the workspace", CHOICES, OFF),
             ("KeyCorner", "Where the key stands", CORNERS, "Lower left"),

@@ -130,6 +130,7 @@ class Follow:
 
 
 class Review(QtGui.QDockWidget):
+    """The dock of a machine's result: ranking, components, what-if and settings."""
     def __init__(self, parent):
         super().__init__(translate("Sens", "Sensitivity review"), parent)
         self.setObjectName(NAME)
@@ -210,14 +211,17 @@ class Review(QtGui.QDockWidget):
     # -- what is shown -----------------------------------------------------------------------------------------------
     @property
     def machine(self):
+        """Return the machine that is shown, or None if it was deleted."""
         return _machine(self.key)
 
     @property
     def result(self):
+        """Return the result of the machine that is shown, or None."""
         machine = self.machine
         return factory.sensitivity_of(machine) if machine is not None else None
 
     def set_machine(self, machine) -> None:
+        """Show another machine."""
         key, before = (machine.Document.Name, machine.Name), self.key
         state.of(machine.Document).reviewed = machine.Name
         if key != before:
@@ -253,6 +257,7 @@ class Review(QtGui.QDockWidget):
             pointers.clear(before)
 
     def refresh(self) -> None:
+        """Show the present state of the machine and its result."""
         self._follow_document()
         machine, result = self.machine, self.result
         ready = display.ready(result)
@@ -318,6 +323,7 @@ class Review(QtGui.QDockWidget):
             pointers.show(machine, [body] if body else [])
 
     def unpicked(self) -> None:
+        """Remove the arrows when nothing is selected any more."""
         machine = self.machine
         if machine is not None and not state.of(machine.Document).quiet:
             pointers.clear(machine)

@@ -31,6 +31,7 @@ def _plain(value):
 
 
 class Settings(QtGui.QScrollArea):
+    """The tab that sets objective, positions and squareness of a machine, and how its result is shown."""
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setWidgetResizable(True)
@@ -162,6 +163,7 @@ class Settings(QtGui.QScrollArea):
             self.count.setValue(self.machine.Grid if kind == "grid" else self.machine.Order)
 
     def show_machine(self, machine, result) -> None:
+        """Fill the fields from a machine and its result."""
         self.machine, self.result = machine, result
         self.setEnabled(machine is not None)
         if machine is None:

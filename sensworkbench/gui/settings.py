@@ -40,6 +40,7 @@ def get(name: str):
 
 
 def put(name: str, value) -> None:
+    """Store a preference; its type is that of the default."""
     default, group = DEFAULTS[name], _group()
     if isinstance(default, bool):
         group.SetBool(name, bool(value))

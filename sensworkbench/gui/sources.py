@@ -34,6 +34,7 @@ class Source(QtGui.QWidget):
             row.addWidget(self.reset)
 
     def show(self, words: str, given: bool) -> None:
+        """Show in words what the source is.  given : it was chosen by the user and can be reset."""
         self.text.setText(words)
         self.text.setToolTip(words)
         if self.reset is not None:
@@ -41,6 +42,7 @@ class Source(QtGui.QWidget):
 
 
 def along_choices():
+    """Return the texts of the choices for a direction, in the order of the property's values."""
     return [
         translate("Sens", "Automatic"), translate("Sens", "its local X"), translate("Sens", "its local Y"),
         translate("Sens", "its local Z"),
@@ -48,6 +50,7 @@ def along_choices():
 
 
 def reference_choices():
+    """Return the texts of the choices for a reference point, in the order of the property's values."""
     return [
         translate("Sens", "Automatic"),
         translate("Sens", "at its placement"),
@@ -67,4 +70,5 @@ def source_words(source, otherwise: str = "") -> str:
 
 
 def vector_words(v, digits: int) -> str:
+    """Return a vector as text with this number of digits."""
     return "(" + ", ".join(f"{x:.{digits}f}" for x in (v.x, v.y, v.z)) + ")"

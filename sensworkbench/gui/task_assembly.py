@@ -123,6 +123,7 @@ class TaskAssembly(Panel):
         return (second, first) if self.side.currentIndex() == 1 else (first, second)
 
     def take_point(self) -> None:
+        """Use the selected point, edge or face as the tool point."""
         picked = Gui.Selection.getSelectionEx("", 0)
         if not picked:
             self.note.setText(translate("Sens", "Select a coordinate system, vertex, edge or face at the tool's tip"))

@@ -125,6 +125,7 @@ class TaskJog(Panel):
         self.sliders[name].setValue(int(round(STEPS * (self.position[name] - low) / (high - low))))
 
     def go_home(self) -> None:
+        """Move every axis to 0, or to the end of its travel nearest to it."""
         for name in AXES:
             box = self.numbers[name]
             self.position[name] = min(max(0.0, box.minimum()), box.maximum())

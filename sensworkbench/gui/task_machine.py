@@ -35,6 +35,7 @@ STRUCTURES = tuple("".join(p) for p in itertools.permutations("FXYZ"))
 
 
 def structure_of(machine) -> str:
+    """Return the structure code of a machine object, such as XYFZ."""
     return "".join(reversed(machine.WorkpieceChain)) + "F" + "".join(machine.ToolChain)
 
 
@@ -180,6 +181,7 @@ class TaskMachine(Panel):
         return self.machine if self.body == "F" else factory.body_of(self.machine, self.body)
 
     def links(self, body: str):
+        """Return the links to the parts of a body."""
         owner = self.machine if body == "F" else factory.body_of(self.machine, body)
         return [] if owner is None else owner.Bed if body == "F" else owner.Parts
 
@@ -304,6 +306,7 @@ class TaskMachine(Panel):
         self.set_parts(([*self.links(self.body)] if keep else []) + chosen)
 
     def set_parts(self, links) -> None:
+        """Make these links the parts of the chosen body."""
         def change():
             value = paths.as_links(links)
             self.guess.drop(self.body, "Parts")

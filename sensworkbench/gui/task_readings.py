@@ -185,6 +185,7 @@ class TaskReadings(Panel):
         return column_guess.mapping(self.table.names, self.chosen(), constants, answers)
 
     def unanswered(self) -> list[str]:
+        """Return the sign questions that have no answer yet."""
         return [key for key, field in self.answers.items() if not data(field)]
 
     def check(self) -> None:
@@ -222,6 +223,7 @@ class TaskReadings(Panel):
         self.note.setStyleSheet("color: #b03a2e; font-weight: bold" if bad else "font-weight: bold")
 
     def save_mapping(self) -> None:
+        """Ask for a file and write the mapping of the columns to it."""
         import json
 
         from ..formats.files import write_text
@@ -267,6 +269,7 @@ def data(field):
 
 
 def unit_name(unit: str) -> str:
+    """Return a unit as the panel shows it: `um` is µm."""
     return {
         "um": "µm", "C": "°C", "F": "°F", "mm_min": "mm/min", "m_min": "m/min", "mm_s": "mm/s", "m_s": "m/s",
         "um_s": "µm/s", "in_min": "in/min", "in_s": "in/s", "1_min": "1/min", "1_s": "1/s", "rad_s": "rad/s",

@@ -40,11 +40,13 @@ class Row:
         self.texts: dict[int, str] = {}  # what was typed and could not be read
 
     def text(self, column: int) -> str:
+        """Return the text of a cell: as typed while it cannot be read, otherwise its value."""
         if column in self.texts:
             return self.texts[column]
         return plain(shown(self.values[column], self.unit, angular=self.component.angular))
 
     def enter(self, column: int, text: str) -> None:
+        """Store what was typed into a cell."""
         try:
             self.values[column] = parse(text, angular=self.component.angular, default_unit=self.unit, where=self.symbol)
             self.texts.pop(column, None)
@@ -68,6 +70,7 @@ class Row:
             raise error.at(self.symbol) from None
 
     def problem(self) -> str:
+        """Return why the row cannot be used, or ""."""
         try:
             self.tolerance()
         except Refused as error:
@@ -85,6 +88,7 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         self.load(tolerances, units)
 
     def load(self, tolerances, units) -> None:
+        """Fill the table from tolerances and their units; errors that are absent have the limits 0."""
         self.beginResetModel()
         everything = {s: Tolerance(0.0, 0.0) for s in COMPONENTS} | with_defaults(dict(tolerances))
         self.rows = [Row(s, everything[s], units.get(s) or default_unit(s)) for s in COMPONENTS]
@@ -156,9 +160,11 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         return True
 
     def changed(self, row: int) -> None:
+        """Redraw a row."""
         self.dataChanged.emit(self.index(row, 0), self.index(row, 6))
 
     def problem(self) -> str:
+        """Return the first row's problem, or ""."""
         return next((p for p in (r.problem() for r in self.rows) if p), "")
 
     def result(self) -> tuple[dict[str, Tolerance], dict[str, str]]:
@@ -170,6 +176,7 @@ class ToleranceModel(QtCore.QAbstractTableModel):
 
 
 def default_unit(symbol: str) -> str:
+    """Return the unit in which an error is shown if the document does not state one."""
     return settings.get("AngleUnit") if component(symbol).angular else "um"
 
 
@@ -264,12 +271,14 @@ class TaskTolerances(Panel):
         return max(("urad", "arcsec"), key=found.count)
 
     def check(self) -> bool:
+        """Show the first problem of the table; return whether there is none."""
         problem = self.model.problem()
         self.note.setText(problem)
         self.note.setStyleSheet("color: #c0392b" if problem else "")
         return not problem
 
     def set_selected(self) -> None:
+        """Give the selected errors the limits ± the typed value."""
         text = self.value.text().strip().lstrip("±")
         rows = sorted({i.row() for i in self.table.selectionModel().selectedIndexes()})
         if not text or not rows:
@@ -286,6 +295,7 @@ class TaskTolerances(Panel):
             self.note.setText(error.message)
 
     def set_angle_unit(self, *_) -> None:
+        """Show all angles in the chosen unit."""
         unit = self.angle.itemData(self.angle.currentIndex())
         for i, row in enumerate(self.model.rows):
             if row.component.angular:
@@ -293,6 +303,7 @@ class TaskTolerances(Panel):
                 self.model.changed(i)
 
     def defaults(self) -> None:
+        """Set the tolerances of the paper."""
         for i, row in enumerate(self.model.rows):
             tolerance = paper_tolerance(row.symbol)
             row.values, row.distribution, row.sigma = {LOWER: tolerance.lower, UPPER: tolerance.upper}, "uniform", None
@@ -300,6 +311,7 @@ class TaskTolerances(Panel):
             self.model.changed(i)
 
     def read_file(self, path: str) -> bool:
+        """Read a tolerance table into the panel; return whether it could be read."""
         try:
             found = files.load(path)
         except Refused as error:
@@ -316,6 +328,7 @@ class TaskTolerances(Panel):
         return True
 
     def write_file(self, path: str) -> bool:
+        """Write the table to a file; return whether it could be written."""
         try:
             files.save(self.model.result()[0], path, self.angle.itemData(self.angle.currentIndex()))
         except Refused as error:
@@ -324,11 +337,13 @@ class TaskTolerances(Panel):
         return True
 
     def ask_import(self):
+        """Ask for a file and read it."""
         path = messages.ask_open(translate("Sens", "Import tolerances"), "CSV, JSON (*.csv *.json)")
         if path:
             self.read_file(path)
 
     def ask_export(self):
+        """Ask for a file and write it."""
         path = messages.ask_save(translate("Sens", "Export tolerances"), "CSV (*.csv);;JSON (*.json)", "tolerances.csv")
         if path:
             self.write_file(path)

@@ -281,6 +281,7 @@ class TaskTrace(Panel):
 
     # -- what the buttons do -----------------------------------------------------------------------------------------
     def add_or_remove(self) -> None:
+        """Add the found effects to the machine, or remove them if they have been added."""
         trace = self.trace
         if added_effects(trace):
             messages.change(
@@ -291,6 +292,7 @@ class TaskTrace(Panel):
         self._sync()
 
     def write_report(self) -> None:
+        """Ask for a folder and write the report of the trace."""
         try:
             ask_and_write(self.trace)
         except Refused as error:

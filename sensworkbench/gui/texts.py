@@ -17,6 +17,7 @@ UNIT_SIGNS = {"um": "µm", "urad": "µrad", "arcsec": "″", "deg": "°"}
 
 
 def unit_sign(unit: str) -> str:
+    """Return a unit as it is shown: `um` is µm."""
     return UNIT_SIGNS.get(unit, unit)
 
 
@@ -30,6 +31,7 @@ def body_name(machine, body: str) -> str:
 
 
 def body_kind(body: str) -> str:
+    """Return what a body of a machine is, in words."""
     return {
         "F": translate("Sens", "Bed"),
         "X": translate("Sens", "X carriage"),
@@ -69,6 +71,7 @@ def error_meaning(symbol: str) -> str:
 
 
 def distribution_name(name: str) -> str:
+    """Return the name of a distribution, in words."""
     return {
         "uniform": translate("Sens", "uniform"),
         "normal": translate("Sens", "normal (limits ±3σ)"),
@@ -105,6 +108,7 @@ def positions_text(result) -> str:
 
 
 def objective_text(result) -> str:
+    """Return the objective of a result as a formula."""
     letters = ("T4", "T5", "T6") if result.Output == "position" else ("R1", "R2", "R3")
     weights = (result.Weights.x, result.Weights.y, result.Weights.z)
     power = "" if result.Signed else "²"
@@ -115,6 +119,7 @@ def objective_text(result) -> str:
 
 
 def square_text(result) -> str:
+    """Return the convention for squareness of a result, in words."""
     if result.Squareness == "carried":
         return translate("Sens", "squareness carried")
     return translate("Sens", "squareness tilts the direction (ISO)")

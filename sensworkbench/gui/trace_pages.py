@@ -41,6 +41,7 @@ class Page(QtGui.QTextBrowser):
         self.fill, self._width, self._pictures = None, 0, 0
 
     def show_page(self, fill) -> None:
+        """Show what `fill` returns; it is called again when the width changes."""
         self.fill = fill
         self._paint()
 
@@ -67,14 +68,17 @@ class Page(QtGui.QTextBrowser):
 
 # -- pieces of HTML ----------------------------------------------------------------------------------------------------
 def heading(text: str) -> str:
+    """Return a heading as HTML."""
     return f'<p style="margin-top:10px;margin-bottom:2px"><b>{escape(text)}</b></p>'
 
 
 def paragraph(text: str) -> str:
+    """Return a paragraph as HTML."""
     return f'<p style="margin-top:2px;margin-bottom:6px">{escape(text)}</p>'
 
 
 def bullets(items) -> str:
+    """Return a list as HTML."""
     return (
         "<ul style='margin-top:0px;margin-left:-22px'>" + "".join(f"<li>{escape(str(i))}</li>" for i in items) + "</ul>"
     )
@@ -98,6 +102,7 @@ def _cell(text) -> str:
 
 
 def facts(pairs) -> str:
+    """Return a table of (name, value) pairs as HTML."""
     lines = [
         f"<tr><td valign='top' width='34%'>{escape(k)}</td><td valign='top'><b>{escape(str(v))}</b></td></tr>"
         for k, v in pairs
@@ -129,6 +134,7 @@ def verdict(name: str) -> tuple[str, str]:
 
 
 def stage(name: str) -> str:
+    """Return the name of a stage of the correction, in words."""
     return {
         "uncorrected": translate("Sens", "Uncorrected (set-up aligned)"),
         "declared": translate("Sens", "Declared errors corrected"),

@@ -47,10 +47,12 @@ class ViewProviderBody(ViewProviderSens):
 
 
 class ViewProviderTolerances(ViewProviderSens):
+    """View of a tolerance table."""
     icon = "Sens_Tolerances"
 
 
 class ViewProviderEffect(ViewProviderSens):
+    """View of an effect."""
     icon = "Sens_Effect"
 
 
@@ -183,6 +185,7 @@ def attach_late(view) -> None:
 
 
 def show_late(view) -> None:
+    """Show or hide what was added to the scene after the view provider was attached."""
     late = getattr(view.Proxy, "late", None)
     if late is not None:
         late.whichChild.setValue(0 if view.Visibility else -1)

@@ -25,6 +25,7 @@ ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 
 
 def factors():
+    """Return (factor, text) of each change of a tolerance that can be tried."""
     return [
         (1.0, translate("Sens", "as it is")),
         (0.5, translate("Sens", "halved")),
@@ -35,6 +36,7 @@ def factors():
 
 
 class WhatIf(QtGui.QWidget):
+    """The tab that tries other tolerances, weights and reference points, and compares the rankings."""
     def __init__(self, parent=None):
         super().__init__(parent)
         layout = QtGui.QVBoxLayout(self)
@@ -140,6 +142,7 @@ class WhatIf(QtGui.QWidget):
             self.reset()
 
     def reset(self, *_) -> None:
+        """Take back all changes."""
         self.changes, self.moved = {}, {}
         self._show_shift()
         self._quiet = True
@@ -150,6 +153,7 @@ class WhatIf(QtGui.QWidget):
         self.compute()
 
     def set_selected(self) -> None:
+        """Apply the chosen factor to the selected errors."""
         factor = self.factor.itemData(self.factor.currentIndex())
         self.change({item.text(ERROR): factor for item in self.table.selectedItems()})
 
@@ -171,6 +175,7 @@ class WhatIf(QtGui.QWidget):
         return replace(core, tolerances=tolerances), objective
 
     def compute(self, *_) -> None:
+        """Compute the ranking with the changes and show both."""
         if self._quiet:
             return
         selected = {item.text(ERROR) for item in self.table.selectedItems()}
