@@ -14,7 +14,7 @@ import FreeCAD as App
 import Part
 
 from ..core.machine import structure_chains
-from ..core.refusal import Refused
+from ..messages import Refused
 from . import factory
 from .solids import (
     V,
@@ -78,7 +78,7 @@ def make_example(doc, structure: str = "XYFZ"):
     """Build an example machine in a document and return its Machine; structures are the keys of `NAMES`."""
     builders = {"XYFZ": _machining_centre, "FXYZ": _gantry, "YFXZ": _travelling_column}
     if structure not in builders:
-        raise Refused(f"no example has the structure {structure!r}", "example", f"Choose one of {', '.join(builders)}.")
+        raise Refused("example-unknown", "example", structure=repr(structure)[:60], known=list(builders))
     bodies, travel = builders[structure](doc)
     workpiece, tool = structure_chains(structure)
     machine = factory.make_machine(

@@ -81,7 +81,7 @@ class MachineObject(SensObject):
         internal("StringList", "Unseen", "Our objects that were added without a window: to be shown on opening"),
     )  # fmt: skip
 
-    survey = None  # of the last recompute (`refresh.latest`); never stored
+    survey = refusal = None  # what the last recompute found, or why it could not (see `refresh`); never stored
 
     def execute(self, obj):
         from .refresh import refresh

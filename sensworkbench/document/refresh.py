@@ -28,6 +28,7 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     except Refused as error:
         put(machine, "Problem", error.message)
         mark_results(machine, "")
+        _keep(machine, None, error)
         return None
     core = found.core
     put(machine, "Problem", "")
@@ -52,15 +53,24 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     return found
 
 
-def _keep(machine, found: Survey | None) -> None:
+def _keep(machine, found: Survey | None, refusal: Refused | None = None) -> None:
     if alive(machine):
-        machine.Proxy.survey = found
+        machine.Proxy.survey, machine.Proxy.refusal = found, refusal
 
 
 def _reference(core, body: str):
     """Reference point of a body with all joints at 0, document coordinates."""
     ends = {"T": core.spindle_reference or core.tool_point, "W": core.workpiece_reference or (0.0, 0.0, 0.0)}
     return ends[body] if body in ends else core.joint(body).point
+
+
+def problem_text(machine, language: str = "en") -> str:
+    """Why a machine cannot be computed, in `language`; English where it was not recomputed since the file was opened.
+
+    "" where it can be computed.
+    """
+    refusal = machine.Proxy.refusal if alive(machine) else None
+    return refusal.text(language) if refusal is not None and machine.Problem else machine.Problem
 
 
 def latest(machine) -> Survey:

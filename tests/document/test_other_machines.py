@@ -156,6 +156,16 @@ def test_one_axis_is_a_machine(doc):
     assert close(doc.getObject("Table").Placement.Base, (-10, 0, 30))
 
 
+def test_a_problem_is_said_in_the_language_that_is_asked_for(lathe):
+    lathe.ToolPoint = None
+    lathe.Document.recompute()
+    assert refresh.problem_text(lathe) == lathe.Problem != ""
+    assert "Werkzeugpunkt" in refresh.problem_text(lathe, "de")
+    lathe.ToolPoint = (lathe.Document.getObject("Tip"), [""])
+    lathe.Document.recompute()
+    assert refresh.problem_text(lathe, "de") == lathe.Problem == ""
+
+
 def test_a_rotary_axis_is_refused_by_name_until_documents_hold_them(lathe):
     factory.axis_of(lathe, "X").Kind = "rotary"
     with pytest.raises(Refused) as refusal:
