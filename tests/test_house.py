@@ -48,7 +48,7 @@ FORBIDDEN = {
 }
 MAX_FUNCTION = 80  # lines; a module may be as long as its subject, a function is read at one look
 # layers whose public functions all say what they return or do
-DOCUMENTED = ("messages",)
+DOCUMENTED = ("messages", "studies", "cli", "gui")
 # called by FreeCAD, Qt or Python under these names; every name like `paintEvent` is one of Qt's
 CALLED_BY_NAME = {
     "execute",

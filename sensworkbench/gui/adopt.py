@@ -18,7 +18,7 @@ from .viewproviders import dress
 
 
 def adopt(doc) -> None:
-    """Dress all objects, bring up what a batch run left pending, show colours and legends."""
+    """Give all objects view providers, complete what a batch run left pending, show colours and legends."""
     for obj in doc.Objects:
         if kind_of(obj) and alive(obj):
             dress(obj)
@@ -90,7 +90,7 @@ def _set_modified(doc, value: bool) -> None:
 
 
 def settle(name: str) -> None:
-    """After undo or redo: say again which results are out of date, and bring the display up to date."""
+    """After undo or redo: determine again which results are out of date, and update the display."""
 
     def run():
         if name not in App.listDocuments():

@@ -22,9 +22,9 @@ OUTLINE_COLOUR = (0.80, 0.10, 0.40)
 
 @dataclass(frozen=True)
 class Arrow:
-    """From `start` to `end` (mm, document coordinates), or a point where they coincide.
+    """An arrow from `start` to `end` (mm, document coordinates), or a point if they coincide.
 
-    `text` stands at `at` of the way, above and to the right of it (`below`: below).
+    `text` is placed at the share `at` of the length, above and to the right (with `below`: below).
     """
 
     start: tuple[float, float, float]

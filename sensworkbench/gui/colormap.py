@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colour maps that colour-blind readers can tell apart, and the range of values they stand for.
+"""Colour maps that colour-blind readers can distinguish, and the range of values that they show.
 
-Viridis (van der Walt, Smith) and cividis (Nuñez, Anderton, Renslow 2018) as 17 anchors each, linear between them.  What
-has no value is grey.  Pure Python: a handful of parts needs no arrays.
+Viridis (van der Walt, Smith) and cividis (Nuñez, Anderton, Renslow 2018) as 17 anchors each, linear between them.  A
+part without a value is grey.  Pure Python: a handful of parts needs no arrays.
 """
 
 from __future__ import annotations

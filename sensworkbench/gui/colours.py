@@ -96,7 +96,7 @@ def _make_material(data: dict):
 
 
 def read(obj) -> dict:
-    """How an object looks, as plain data."""
+    """Return the appearance of an object as plain data."""
     view = obj.ViewObject
     if _is_link(obj):
         return {

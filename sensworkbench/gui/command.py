@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What every command shares, and the table of all of them.
+"""Base class of all commands, and their registry.
 
-A command stands in the module of its panel and says everything about itself in class attributes: texts, place in menu,
+A command is defined in the module of its panel.  Class attributes give everything about it: texts, place in menu,
 toolbar and context menus, what it needs, its section of the guide, its keys.  `@command` enters it into REGISTRY;
-menus, toolbars, context menus, the table in the guide and the tests are read from there.
+menus, toolbars, context menus, the table in the guide and the tests are made from there.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class Command:
     """A command: texts, icon and place from class attributes; active when ready and no panel is open.
 
     needs : of NEEDS.  guide : the heading of its section in docs/guide.md.  keys : its shortcut.  icon : file, where it
-    is not that of the name.  beside : it works beside an open panel.  hidden : only in context menus.
+    is not that of the name.  beside : it can be used while a panel is open.  hidden : only in context menus.
     """
 
     name, menu_text, tip, icon, keys, guide = "", "", "", "", "", ""

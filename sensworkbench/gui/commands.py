@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""All commands together: importing this module finds them, in whichever module of the window they stand.
+"""All commands together: importing this module imports every module of the window, and with it every command.
 
-Menu, toolbars and the table of the guide are read from the registry of `command`.
+Menu, toolbars and the table of the guide are made from the registry of `command`.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ for _module in sorted(m.name for m in pkgutil.iter_modules([os.path.dirname(os.p
 
 
 def inside() -> set[str]:
-    """Names of commands that stand behind the button of another one."""
+    """Return the names of commands that are shown behind the button of another one."""
     return {name for c in REGISTRY.values() for name in getattr(c, "members", ())}
 
 
@@ -53,7 +53,7 @@ def context_menu() -> list[str]:
 
 
 def markdown() -> str:
-    """The table of commands as it stands in the guide, in English."""
+    """Return the table of commands of the guide, in English."""
     lines = ["| command | what it does | needs | keys | section |", "|---|---|---|---|---|"]
     for one in ordered():
         if one.hidden or hasattr(one, "members"):

@@ -50,7 +50,7 @@ def title(result) -> str:
 
 
 def legend_text(machine, result) -> LegendText:
-    """Return what the legend says: title, unit, positions, objective and convention."""
+    """Return the lines of the legend: title, unit, positions, objective and convention."""
     lines = [
         translate("Sens", "Unit: 1 (share of the variance)"),
         positions_text(result),
@@ -102,7 +102,9 @@ def update(result, *, fresh: bool = False) -> None:
 
 
 def show_map(machine, result, at: float | None = None) -> None:
-    """The error map as the view properties say; `at`: another position of the slice, mm, while it is being dragged."""
+    """Show the error map according to the view properties.  at : another position of the slice, mm, while it is
+    being dragged.
+    """
     view = result.ViewObject
     drawn = view.Proxy.map
     if not view.ShowErrorMap:

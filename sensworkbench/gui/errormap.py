@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The volumetric error over the workspace, as coloured points or as a slice, with a legend of its own in µm.
 
-Each point stands where the tool point is relative to the workpiece at that position.  Its colour is the root of the
-mean square, √E[Y], or the upper estimate √(E[Y] + 2 √V(Y)): Y lies two of its standard deviations above its mean.
+Each point is drawn where the tool point is relative to the workpiece at that position.  Its colour is the root of the
+mean square, √E[Y], or the upper estimate √(E[Y] + 2 √V(Y)): Y two of its standard deviations above its mean.
 The legend runs from the smallest to the largest value shown.
 """
 

@@ -24,7 +24,7 @@ SMALLEST = 0.75  # smaller letters cannot be read
 
 @dataclass(frozen=True)
 class LegendText:
-    """What the legend says.  marks : (name, value) of each coloured component, shown beside the bar.
+    """Texts of the legend.  marks : (name, value) of each coloured component, shown next to the bar.
 
     short, note : title and last line of the small legend that narrow views have (note: what must not be left out).
     """
@@ -242,7 +242,7 @@ class Legend:
 
 
 def _cube(corner: str) -> float:
-    """Pixels that FreeCAD's navigation cube takes in a corner of the view, 0 where it stands elsewhere."""
+    """Return the pixels that FreeCAD's navigation cube takes in a corner of the view, 0 if it is in another corner."""
     group = App.ParamGet("User parameter:BaseApp/Preferences/NaviCube")
     shown = App.ParamGet("User parameter:BaseApp/Preferences/View").GetBool("ShowNaviCube", True)
     where = ("Upper left", "Upper right", "Lower left", "Lower right")[group.GetInt("CornerNaviCube", 1) % 4]

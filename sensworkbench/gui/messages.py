@@ -35,7 +35,7 @@ def log(error: BaseException) -> None:
 
 
 def stopped(error: Exception, what: str):
-    """Say that a command ended in a defect of the program; its details go to the report view."""
+    """Show that a command ended in a defect of the program; the details go to the report view."""
     log(error)
     words = translate("Sens", "{what} stopped: {error}. Nothing was changed. The report view holds the details.")
     return show(words.format(what=what, error=f"{type(error).__name__}: {error}".rstrip(".")))

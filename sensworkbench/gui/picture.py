@@ -48,7 +48,7 @@ def painter(image):
 
 
 def plate(pen, width: float, height: float) -> None:
-    """A pale rounded plate with a thin edge: what stands on it is readable on light and on dark."""
+    """Draw a pale rounded plate with a thin edge; text on it is readable on light and on dark backgrounds."""
     pen.setPen(QtGui.QPen(QtGui.QColor(70, 80, 90, 200), 1))
     pen.setBrush(QtGui.QColor(250, 251, 252, 235))
     pen.drawRoundedRect(QtCore.QRectF(0.5, 0.5, width - 1, height - 1), 5, 5)

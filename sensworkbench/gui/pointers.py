@@ -65,7 +65,7 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
 
 
 def extent(machine) -> float:
-    """A length that says how large the machine is, mm."""
+    """Return a length that represents the size of the machine, mm."""
     box = App.BoundBox()
     for body in ("F", *AXES, "T", "W"):
         for where in extract.parts_of(machine, body):

@@ -43,7 +43,8 @@ PLACES = tuple(
 
 
 def _rows(machine, result) -> dict[tuple[str, int], list]:
-    """(symbol, how often it stood above) -> values of its row, in the order of PLACES; the largest index first.
+    """Return (symbol, number of earlier rows with it) -> values of its row, in the order of PLACES; the largest index
+    first.
 
     Only traced effects can share a name.
     """

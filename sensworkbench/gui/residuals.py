@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Residuals of the readings as arrows in the workspace, before and after, on one scale; and how readings and traces
-appear in the tree.
+"""Residuals of the readings as arrows in the workspace, before and after, on one scale; view providers of readings and
+traces.
 
-Each arrow stands where the functional point is relative to the workpiece; a key tells its length in µm.  View provider
-names are stored in users' files and stay as they are; what is shown is a view property, so it is saved and undone.
+Each arrow begins where the functional point is relative to the workpiece; a key gives its length in µm.  View provider
+names are stored in users' files and must not change; what is shown is a view property, so it is saved and undone.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Key:
-    """What the key says: title, scale in words, the series."""
+    """Texts of the key: title, scale in words, the series."""
 
     title: str
     lines: tuple[str, ...]
@@ -249,7 +249,7 @@ class ViewProviderReadings(ViewProviderSens):
 
 
 class ViewProviderTrace(ViewProviderSens):
-    """A trace: a double click opens what it found; its view properties say which residuals are drawn."""
+    """View of a trace: a double click opens its panel; its view properties choose which residuals are drawn."""
 
     icon = "Sens_Trace"
 
@@ -318,7 +318,7 @@ def dress(obj, kind: str) -> None:
 
 
 def update(obj) -> None:
-    """Draw the residuals of a trace as its view property says."""
+    """Draw the residuals of a trace according to its view property."""
     view = obj.ViewObject
     proxy = view.Proxy
     if not isinstance(proxy, ViewProviderTrace) or not hasattr(view, "ShowResiduals"):

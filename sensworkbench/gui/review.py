@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The review: a dock beside the model with the ranking, the components, what-if and the settings of the result.
+"""The review: a dock next to the model with the ranking, the components, what-if and the settings of the result.
 
-The table and the 3D view are linked both ways: choosing an error or component lights up its parts and shows its arrows,
-clicking a part chooses its errors.  The dock edits nothing but through named transactions.
+The table and the 3D view are linked both ways: selecting an error or component highlights its parts and shows its
+arrows; clicking a part selects its errors.  The dock changes the document only in named transactions.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is judged and how it is shown: objective, positions, squareness; colours, range and legend.
+"""Settings of an analysis and of its display: objective, positions, squareness; colours, range and legend.
 
-Each change is one undo step.  What changes the indices is computed again at once; what changes the look only recolours.
+Each change is one undo step.  A change of the analysis computes the indices again at once; a change of the display only
+recolours.
 """
 
 from __future__ import annotations

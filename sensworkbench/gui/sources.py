@@ -59,7 +59,7 @@ def reference_choices():
 
 
 def source_words(source, otherwise: str = "") -> str:
-    """Label and element of a source, or what stands in for it."""
+    """Return label and element of a source, or what is used instead of it."""
     found = paths.place(source) if source else None
     if found is None:
         return otherwise

@@ -32,7 +32,7 @@ def begin() -> None:
 
 
 def _ready() -> None:
-    """Once the window stands: objects that are made or restored get view providers; open documents are adopted."""
+    """When the window exists: give view providers to objects that are made or restored, and adopt open documents."""
     from ..document.base import register_dresser
 
     def made_or_restored(obj):
@@ -75,7 +75,7 @@ _EMPTY = {"App::PropertyXLinkSub": None, "App::PropertyXLink": None, "App::Prope
 
 
 def look_soon(doc) -> None:
-    """Say once, when a document with damaged objects of ours has been opened, what mends them."""
+    """Report once, when a document with damaged objects of ours has been opened, how they can be repaired."""
     name = doc.Name
     if state.of(name).examined:
         return
@@ -96,7 +96,7 @@ def look_soon(doc) -> None:
 
 
 class Observer:
-    """Sees documents open, undo and redo; sound objects tell themselves when they are restored."""
+    """Observes opening, undo and redo of documents; undamaged objects report themselves when they are restored."""
 
     def slotActivateDocument(self, doc):
         look_soon(doc)

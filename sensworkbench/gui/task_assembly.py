@@ -28,7 +28,7 @@ def found(doc) -> list:
 
 
 class TaskAssembly(Panel):
-    """The panel; `reading` is what the joints say."""
+    """The panel; `reading` is the model of the assembly made from its joints."""
 
     guide = "1. A machine"
 
@@ -71,7 +71,7 @@ class TaskAssembly(Panel):
         self.read()
 
     def read(self, *_) -> None:
-        """Read the chosen assembly; a refusal stands in the note and holds OK back."""
+        """Read the chosen assembly; a refusal is shown in the note and disables OK."""
         self.side.blockSignals(True)
         self.side.clear()
         self.reading = None

@@ -27,7 +27,7 @@ STEPS = 1000
 
 
 class TaskJog(Panel):
-    """The panel.  `position` is where the axes stand."""
+    """The panel.  `position` holds the positions of the axes."""
 
     guide = "5. Jog"
     holds_transaction = True

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The import panel: what each column of a table is, what the table does not say of its signs, and what was noticed.
+"""The import panel: the meaning of each column of a table, the sign questions that it leaves open, and remarks.
 
 Columns of our own grammar are recognised, foreign ones are guessed and can be corrected.  The table is read again at
-every change, so that findings and refusals with their lines are seen before anything is imported.
+every change, so that remarks and refusals with their lines are shown before anything is imported.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ ASKED = ("sign", "frame", "positions")
 
 
 class TaskReadings(Panel):
-    """The panel for one file.  `mapping()` is what it says now; `readings` what that gives, None where refused."""
+    """The panel for one file.  `mapping()` is the present choice of columns; `readings` its result, None if refused."""
 
     guide = "8. Close the loop: readings in, the missing effect out"
 
@@ -264,7 +264,7 @@ class TaskReadings(Panel):
 
 
 def data(field):
-    """What the chosen entry of a combo box stands for."""
+    """Return the value of the chosen entry of a combo box."""
     return field.itemData(field.currentIndex())
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The panel that says what is wrong with the objects of a document and mends what can be mended, as one undo step.
+"""The panel that lists the problems of the objects of a document and repairs those that can be repaired, in one undo
+step.
 
-What only the user can mend stays in the list with what to do.  A document that was opened with damaged objects says so
-once, and its objects show it in the tree.
+A problem that only the user can solve remains in the list with what to do.  A document that was opened with damaged
+objects reports it once, and its objects show it in the tree.
 """
 
 from __future__ import annotations
@@ -110,7 +111,7 @@ def open_panel(doc):
 
 
 def announce(doc):
-    """Say that a document was opened with damaged objects, where that can be mended; returns the message or None."""
+    """Report that a document was opened with damaged objects, if they can be repaired; return the message or None."""
     found = [f for f in repair.examine(doc) if f.mendable]
     if not found:
         return None

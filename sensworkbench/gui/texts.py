@@ -126,7 +126,7 @@ def square_text(result) -> str:
 
 
 def shown_unit(output: str) -> tuple[str, float]:
-    """(sign, factor from mm or rad) of the unit in which an error is shown; angles as the preferences say."""
+    """Return (sign, factor from mm or rad) of the unit in which an error is shown; angles as in the preferences."""
     if output == "position":
         return "µm", 1e3
     unit = settings.get("AngleUnit")

@@ -57,7 +57,7 @@ class ViewProviderEffect(ViewProviderSens):
 
 
 class ViewProviderSensitivity(ViewProviderSens):
-    """The result: colours of the parts, the legend, the error map.  Its view properties say how."""
+    """View of a result: colours of the parts, the legend, the error map, according to its view properties."""
 
     icon = "Sens_Sensitivity"
 

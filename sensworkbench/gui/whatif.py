@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What if: halve a tolerance, freeze an error, change a weight, move a scale - the new ranking beside the old one.
+"""What if: halve a tolerance, fix an error, change a weight, move a scale; the new ranking is shown next to the old
+one.
 
 Everything here works on a copy of the machine in memory; the document changes only with Apply, as one undo step.
 """
