@@ -11,9 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.drivers import legendre
 from ..core.errors import COMPONENTS
 from ..core.machine import Machine
+from ..core.shapes import legendre
 from ..core.synthesis import omega
 from .readings import Readings
 

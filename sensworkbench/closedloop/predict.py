@@ -9,12 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.drivers import driver_columns, driver_values
 from ..core.fitted import FittedModel
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.synthesis import omega
-from .effects import effect_motion
 from .readings import Readings
 
 
@@ -30,7 +28,7 @@ def needed_columns(machine: Machine) -> list[str]:
     names: list[str] = []
     for effect in machine.effects:
         if effect.enabled:
-            names += driver_columns(effect.driver) + (("t",) if effect.shape == "lag" else ())
+            names += effect.columns
     return list(dict.fromkeys(names))
 
 
@@ -64,7 +62,7 @@ def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: 
     if effects:
         for effect in machine.effects:
             if effect.enabled:
-                parts.append((effect.component, effect_motion(effect, positions.columns)))
+                parts.append((effect.component, effect.values(positions.columns)))
     out = np.zeros((len(q), 3))
     if parts:
         symbols = list(dict.fromkeys(s for s, _ in parts))
@@ -105,9 +103,3 @@ def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:
         tool = np.zeros((positions.points, 3)) if positions.tool_offset is None else positions.tool_offset
         outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > 1e-3
     return outside
-
-
-def driver_extent(effect, columns) -> tuple[float, float]:
-    """Smallest and largest value of an effect's driver."""
-    v = driver_values(effect.driver, columns)
-    return float(v.min()), float(v.max())

@@ -9,6 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from ..core.driver import Driver
+from ..core.effects import shown
+from ..core.errors import component
 from ..core.machine import Machine
 from ..core.parameters import Levels
 from ..core.refusal import Refused
@@ -101,7 +103,7 @@ class TraceReport:
             at += vectors.shape[1]
             coefficients = self.full.coefficients[block]
             final = Candidate(c.symbol, c.regressor, c.gain, coefficients, c.visible, c.handicap)
-            motion = (vectors @ coefficients) * (1e6 if c.symbol[1] in "ABC0" else 1e3)
+            motion = vectors @ coefficients
             if i < len(self.named):
                 name = str(describe(c.symbol, c.driver, c.shape))
                 self.named[i].candidate = final
@@ -112,9 +114,9 @@ class TraceReport:
                 name += " (again)"
             names.add(name)
             uncertainty = self._parameter_uncertainty(final, i) if i < len(self.named) else {}
-            extent = (float(motion.min()), float(motion.max()))
+            reach = (float(motion.min()), float(motion.max()))
             units = tracer.readings.units
-            out.append(to_effect(name, final, self.full.covariance[block, block], uncertainty, units, extent))
+            out.append(to_effect(name, final, self.full.covariance[block, block], uncertainty, units, reach))
         return out
 
     def _parameter_uncertainty(self, c: Candidate, i: int) -> dict[str, float]:
@@ -148,9 +150,9 @@ class TraceReport:
             entry = {
                 "name": effect.name,
                 "component": effect.component,
-                "driver": effect.driver,
-                "shape": effect.shape,
-                "parameters": {k: dict(v) for k, v in effect.parameters.items()},
+                "driver": str(effect.driver),
+                "shape": effect.shape.name,
+                "parameters": {k: v.to_dict() for k, v in shown(effect, component(c.symbol)).items()},
                 "amplitude_um": self.tracer.amplitude_um(c),
                 "p_familywise": step.p,
                 "selection_frequency": step.selection,

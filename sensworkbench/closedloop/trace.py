@@ -16,7 +16,6 @@ from ..core.driver import TIME
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from .effects import effect_motion
 from .fit import fit
 from .freeform import free_regressor
 from .naming import slow_columns
@@ -136,7 +135,7 @@ def without_known_effects(machine: Machine, readings: Readings) -> Readings:
     from ..core.synthesis import omega
 
     matrix = omega(machine, [e.component for e in known], readings.q, readings.tool_offset)
-    motion = np.stack([effect_motion(e, readings.columns) for e in known], axis=1)
+    motion = np.stack([e.values(readings.columns) for e in known], axis=1)
     vectors = np.einsum("pan,pn->pa", matrix, motion)
     return replace(readings, value=readings.value - np.einsum("ra,ra->r", vectors[readings.point], readings.sense))
 

@@ -72,6 +72,12 @@ class Driver:
             raise refused.at(where) if where else refused from None
 
     @classmethod
+    def parse_in_order(cls, text: str) -> tuple[Driver, list[int]]:
+        """(the driver in `text`, the place in the text of each of its sorted columns)."""
+        names = text.split("*")
+        return cls.parse(text), sorted(range(len(names)), key=names.__getitem__)
+
+    @classmethod
     def of(cls, columns: Driver | str | Iterable[str]) -> Driver:
         """A driver of itself, of its text, or of column names."""
         if isinstance(columns, Driver):

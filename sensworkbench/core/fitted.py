@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .drivers import to_domain
+from .shapes import to_domain
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 
 from .distributions import Tolerance, paper_tolerance_of
-from .drivers import Effect
+from .effects import Effect
 from .errors import AXES, BODY_NAMES, ENDS, Component, components_of, find
 from .fitted import FittedModel
 from .joints import Joint, Pose, identity, vector

@@ -110,16 +110,26 @@ class Parameter:
 
     unit : "driver" (the driver's unit), "s", or "" (a pure number).  above : excluded lower bound; least, most :
     included bounds.  default : value where none is stated (None: it must be stated).  whole : a whole number.
-    search : how a fit finds it, or None where it is not fitted.
+    search : how a fit finds it, or None where it is not fitted.  absolute : a value of the driver, no difference: a
+    temperature in degrees counts from 20 degC.
     """
 
     size: int | None = 1  # how many numbers stand for it in a file; None: any
 
     def __init__(
-        self, unit=DRIVER, *, above=None, least=-LARGEST, most=LARGEST, default=None, whole=False, search=None
+        self,
+        unit=DRIVER,
+        *,
+        above=None,
+        least=-LARGEST,
+        most=LARGEST,
+        default=None,
+        whole=False,
+        search=None,
+        absolute=False,
     ):
         self.unit, self.above, self.least, self.most = unit, above, least, most
-        self.default, self.whole, self.search = default, whole, search
+        self.default, self.whole, self.search, self.absolute = default, whole, search, absolute
         self.name = ""
 
     def __set_name__(self, owner, name):

@@ -48,3 +48,18 @@ def parse(text: str, *, angular: bool, default_unit: str, where: str = "") -> fl
 def shown(value: float, unit: str, *, angular: bool) -> float:
     """`value` (mm or rad) as a number in `unit`."""
     return value / factor(unit, angular=angular)
+
+
+def exactly_shown(value: float, scale: float) -> float | None:
+    """The number that times `scale` is `value` again to the last bit, the shortest found; None where there is none."""
+    guess = value / scale
+    for candidate in (
+        round(guess, 6),
+        round(guess, 9),
+        guess,
+        math.nextafter(guess, math.inf),
+        math.nextafter(guess, -math.inf),
+    ):
+        if candidate * scale == value:
+            return candidate
+    return None

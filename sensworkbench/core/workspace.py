@@ -190,22 +190,20 @@ class Sensitivity:
 def error_table(machine: Machine) -> ErrorTable:
     """Everything that varies: the tolerances, the enabled effects, the sources.
 
-    An effect's law is uniform between the extremes that its component reached; one of which no extremes are known takes
-    no part and is listed in `without_extent`.
+    An effect's law is uniform over the range of its component (`Effect.range`); one of which no range is known takes no
+    part and is listed in `without_extent`.
     """
     tolerances = machine.all_tolerances
     labels, columns = list(tolerances), list(tolerances)
     laws = list(tolerances.values())
     without_extent = []
     for effect in machine.effects:
-        if effect.enabled and "extent" not in effect.parameters:
+        if effect.enabled and effect.range is None:
             without_extent.append(effect.name)
         elif effect.enabled:
-            low, high = effect.parameter("extent")
-            c = machine.component(effect.component)
             labels.append(effect.name)
             columns.append(effect.component)
-            laws.append(Tolerance(c.from_shown(low), c.from_shown(high)))
+            laws.append(Tolerance(*effect.range))
     owners = [machine.component(c).body for c in columns]
     symbols, mixing = mixing_matrix(columns, machine.sources)
     for source in machine.sources:

@@ -16,10 +16,11 @@ import FreeCAD as App
 import numpy as np
 
 from ..core import objectives, workspace
-from ..core.drivers import Effect
+from ..core.effects import Effect
+from ..core.errors import component
 from ..core.joints import KINDS, LINEAR, Joint
 from ..core.machine import Machine, check_chains
-from ..formats import fitted_json
+from ..formats import effects_json, fitted_json
 from ..messages import Refused
 from . import geometry, joints
 from .base import kind_of, made_by_newer, numbers
@@ -297,10 +298,10 @@ def _core(machine, axes, directions, direction_from, points, tool_point) -> Mach
             squareness=machine.Squareness,
             declared=_declared(machine),
             fitted=_fitted(machine),
-            effects=tuple(core_effect(e) for e in effects_of(machine)),
             extra=_json(machine, "Extra", {}),
         )
-        return replace(core, tolerances=read_tolerances(machine, core))
+        effects = tuple(core_effect(e, core.component) for e in effects_of(machine))
+        return replace(core, tolerances=read_tolerances(machine, core), effects=effects)
     except Refused as error:
         if error.code in DIRECTION_CODES:  # name the objects that the directions come from
             sources = [f"{axes[n].Label}: {direction_from[n]}" for n in (error.fields["a"], error.fields["b"])]
@@ -335,10 +336,12 @@ def _json(obj, name, default):
         raise Refused("document-no-json", obj.Label, name=name) from None
 
 
-def core_effect(obj) -> Effect:
-    """The core's Effect of an effect object."""
+def core_effect(obj, known=component) -> Effect:
+    """The core's Effect of an effect object.  known : look-up of a symbol among the machine's components."""
     parameters = _json(obj, "Parameters", {})
-    return Effect(obj.Label, obj.Component, obj.Driver, obj.Shape, parameters, bool(obj.Enabled))
+    return effects_json.of_parameters(
+        obj.Label, obj.Component, obj.Driver, obj.Shape, parameters, obj.Enabled, obj.Label, known
+    )
 
 
 # -- what the rest of the program asks for ---------------------------------------------------------------------------

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import json
 
-from ..core.drivers import SHAPES, Effect
+from ..core.effects import Effect
 from ..core.errors import AXES, component
 from ..core.joints import check_name
+from ..formats import effects_json
 from ..messages import Refused
 from . import objects
 from .base import dress, put
@@ -131,17 +132,16 @@ def make_sensitivity(machine, label="Sensitivity"):
 def make_effect(machine, effect: Effect):
     """An effect object under the body whose component it drives."""
     core = _core(machine)
-    body = (component if core is None else core.component)(effect.component).body
-    if effect.shape not in SHAPES:
-        raise Refused(f"unknown shape {effect.shape!r}", f"effect {effect.name!r}", f"Use one of {', '.join(SHAPES)}.")
+    c = (component if core is None else core.component)(effect.component)
+    body = c.body
     owner = body_of(machine, body)
     if owner is None:
         owner = make_body(machine, body) if body in BODY_LABELS else None
     if owner is None:
         raise Refused("axis-missing-for-effect", machine.Label, axis=body)
     obj = _new(machine.Document, FEATURE, objects.EffectObject, "Effect", effect.name)
-    obj.Component, obj.Driver, obj.Shape = effect.component, effect.driver, effect.shape
-    obj.Parameters = json.dumps(dict(effect.parameters), sort_keys=True)
+    obj.Component, obj.Driver, obj.Shape = effect.component, str(effect.driver), effect.shape.name
+    obj.Parameters = json.dumps(effects_json.parameters(effect, c), sort_keys=True)
     obj.Enabled = bool(effect.enabled)
     owner.addObject(obj)
     return obj

@@ -8,9 +8,9 @@ to `refresh` (recompute) and `jog` (moving parts); docs/document-model.md lists 
 from __future__ import annotations
 
 from ..core.distributions import DISTRIBUTIONS  # noqa: F401 - the values that `Distributions` takes
-from ..core.drivers import SHAPES
 from ..core.joints import KINDS, LINEAR
 from ..core.machine import SQUARENESS_CONVENTIONS
+from ..core.shapes import SHAPES
 from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
 from .base import Property, SensObject, internal, put, quiet, result
 

@@ -10,7 +10,9 @@ from __future__ import annotations
 import json
 import math
 
+from ..core.effects import Effect
 from ..core.machine import Machine
+from ..formats import effects_json
 from .base import members, numbers, put
 from .tree import added_effects, traces_of
 
@@ -28,7 +30,7 @@ def result_inputs(machine, core: Machine, arms=None) -> str:
     for symbol, t in core.all_tolerances.items():
         words += [symbol, t.distribution]
         values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
-    words += [_effect(e) for e in core.effects if e.enabled]
+    words += [_effect(e, core) for e in core.effects if e.enabled]
     return json.dumps([words, values], sort_keys=True)
 
 
@@ -38,12 +40,13 @@ def trace_inputs(core: Machine, without=(), arms=None) -> str:
     without : names of effects that are left out.  arms : lever arms with all joints at 0, where the caller has them.
     """
     words = [core.structure, core.squareness, sorted((s, int(d)) for s, d in core.declared.items())]
-    words += [_effect(e) for e in core.effects if e.enabled and e.name not in without]
+    words += [_effect(e, core) for e in core.effects if e.enabled and e.name not in without]
     return json.dumps([words, _geometry(core, arms, sorted)], sort_keys=True)
 
 
-def _effect(effect) -> list:
-    return [effect.name, effect.component, effect.driver, effect.shape, dict(effect.parameters)]
+def _effect(effect: Effect, core: Machine) -> list:
+    words = effects_json.parameters(effect, core.component(effect.component))
+    return [effect.name, effect.component, str(effect.driver), effect.shape.name, words]
 
 
 def _geometry(core: Machine, arms, order=list) -> list[float]:
@@ -61,11 +64,29 @@ def same(one: str, other: str) -> bool:
         return False
     (words, values), (words_, values_) = json.loads(one), json.loads(other)
     return (
-        words == words_
+        _same_words(words, words_)
         and len(values) == len(values_)
         and all(math.isclose(a, b, rel_tol=1e-9, abs_tol=1e-9 if abs(a) < 1e-3 else TOLERANCE)
                 for a, b in zip(values, values_))
     )  # fmt: skip
+
+
+def _same_words(one, other) -> bool:
+    """Whether two values from JSON are equal, the rounding of numbers and how a parameter is written apart."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        one, other = ({k: _bare(v) for k, v in d.items()} for d in (one, other))
+        return one.keys() == other.keys() and all(_same_words(one[k], other[k]) for k in one)
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(map(_same_words, one, other))
+    numbers = all(isinstance(v, (int, float)) and not isinstance(v, bool) for v in (one, other))
+    return math.isclose(one, other, rel_tol=1e-9) if numbers else one == other
+
+
+def _bare(parameter):
+    """The numbers of a parameter without the spelling of its unit."""
+    if not isinstance(parameter, dict):
+        return [parameter, None]
+    return [parameter.get("value"), parameter.get("u")]
 
 
 def mark_results(machine, inputs: str) -> None:

@@ -10,19 +10,17 @@ from __future__ import annotations
 
 import contextlib
 import json
-import math
 from dataclasses import replace
 
 from sensworkbench.core.distributions import DISTRIBUTIONS, Tolerance
-from sensworkbench.core.drivers import SHAPES, Effect
 from sensworkbench.core.errors import AXES, component
 from sensworkbench.core.joints import KINDS, Joint, linear
 from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.sources import Source
-from sensworkbench.core.units import factor
+from sensworkbench.core.units import exactly_shown, factor
 
-from . import fitted_json
+from . import effects_json, fitted_json
 from .files import read_text, write_text
 from .fitted_json import MAX_DEGREE, symbols, unit_scale
 from .json_text import Place, parse, short
@@ -74,7 +72,7 @@ def from_place(top: Place) -> Machine:
         tolerances=tolerances(top["tolerances"], bare.component) if "tolerances" in top else {},
         declared=_declared(top["declared"], bare) if "declared" in top else {},
         fitted=fitted_json.read(top["fitted"], bare.component) if "fitted" in top else None,
-        effects=_effects(top["effects"], bare) if "effects" in top else (),
+        effects=effects_json.read(top["effects"], bare) if "effects" in top else (),
         sources=_checked_sources(top["sources"], bare) if "sources" in top else (),
     )
 
@@ -182,62 +180,6 @@ def _declared(place: Place, machine: Machine) -> dict[str, int]:
     return found
 
 
-def _uncertainties(place: Place, count: int) -> None:
-    for e in place.elements(count):
-        if e.value is not None and e.number() < 0:
-            raise e.refuse("a standard uncertainty is not negative")
-
-
-def _value(place: Place) -> None:
-    """A number, or {"value", "unit", "u"} where value is a number or a list of numbers and u may be null."""
-    if not isinstance(place.value, dict):
-        place.number()
-        return
-    place.keys(("value", "unit", "u"), ("value",))
-    value = place["value"]
-    count = len(value.numbers()) if isinstance(value.value, list) else None
-    if count is None:
-        value.number()
-    if "unit" in place:
-        place["unit"].string()
-    if "u" in place and place.value["u"] is not None:
-        if count is None:
-            if place["u"].number() < 0:
-                raise place["u"].refuse("a standard uncertainty is not negative")
-        else:
-            _uncertainties(place["u"], count)
-
-
-def _effects(place: Place, machine: Machine) -> tuple[Effect, ...]:
-    found: list[Effect] = []
-    for entry in place.elements():
-        keys = ("name", "component", "driver", "shape", "parameters", "enabled")
-        entry.keys(keys, ("name", "component", "driver", "shape", "parameters"))
-        name = entry["name"].string()
-        if not name or any(e.name == name for e in found):
-            raise entry["name"].refuse(f"{short(name)} is empty or names another effect too", "Give each its own name.")
-        driver = entry["driver"].string()
-        if not all(part.strip() == part and part for part in driver.split("*")):
-            raise entry["driver"].refuse(f"{short(driver)} is not column names joined by *")
-        parameters = entry["parameters"]
-        for _, parameter in parameters.members():
-            if isinstance(parameter.value, list):
-                parameter.numbers()
-            else:
-                _value(parameter)
-        found.append(
-            Effect(
-                name=name,
-                component=machine.component(entry["component"].string(), entry["component"].where).symbol,
-                driver=driver,
-                shape=entry["shape"].string(tuple(SHAPES)),
-                parameters=parameters.value,
-                enabled=entry["enabled"].boolean() if "enabled" in entry else True,
-            )
-        )
-    return tuple(found)
-
-
 def _checked_sources(place: Place, machine: Machine) -> tuple[Source, ...]:
     found = tuple(_source(entry, machine) for entry in place.elements())
     with _refused_at(place):
@@ -299,17 +241,7 @@ def to_dict(machine: Machine) -> dict:
     if machine.fitted is not None:
         data["fitted"] = fitted_json.to_dict(machine.fitted, machine.component)
     if machine.effects:
-        data["effects"] = [
-            {
-                "name": e.name,
-                "component": e.component,
-                "driver": e.driver,
-                "shape": e.shape,
-                "parameters": dict(e.parameters),
-                "enabled": e.enabled,
-            }
-            for e in machine.effects
-        ]
+        data["effects"] = effects_json.to_list(machine, version)
     return data | dict(machine.extra)
 
 
@@ -367,18 +299,3 @@ def tolerance_dict(symbol: str, tolerance: Tolerance, unit: str | None = None, k
     if any(v is None for v in shown.values()):
         unit, shown = ("rad" if angular else "mm"), values
     return shown | {"unit": unit, "distribution": tolerance.distribution}
-
-
-def exactly_shown(value: float, scale: float) -> float | None:
-    """The number that times `scale` is `value` again to the last bit, the shortest found; None where there is none."""
-    guess = value / scale
-    for candidate in (
-        round(guess, 6),
-        round(guess, 9),
-        guess,
-        math.nextafter(guess, math.inf),
-        math.nextafter(guess, -math.inf),
-    ):
-        if candidate * scale == value:
-            return candidate
-    return None

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from sensworkbench import __version__
-from sensworkbench.core.drivers import driver_columns
+from sensworkbench.core.driver import Driver
 from sensworkbench.core.errors import COMPONENTS, component
 from sensworkbench.studies.trace import component_values, point_vectors
 
@@ -95,7 +95,7 @@ def _summary(data, title, words) -> Html:
 
 def driver_words(driver: str) -> str:
     """`temp_column × y` of `temp_column*y`."""
-    return " × ".join(driver_columns(driver))
+    return Driver.of(driver).words()
 
 
 def parameter_words(entry) -> str:
@@ -172,14 +172,13 @@ def _driver_chart(entry, outcome) -> Html | None:
         return None
     unit = unit_words(component(effect.component).unit)
     order = np.argsort(driver, kind="stable")
-    single_valued = effect.shape not in ("lag", "hysteresis")
+    single_valued = not effect.shape.memory
     series = {"asked for by the readings": asked}
     if not single_valued:
         series["effect as fitted"] = fitted
     line = (driver[order], fitted[order]) if single_valued else None
     label = driver_words(effect.driver)
-    coefficient = entry["parameters"].get("coefficient")
-    per = coefficient.get("unit", "").partition("/")[2] if isinstance(coefficient, Mapping) else ""
+    per = effect.driver_unit
     if per:
         label += f", {per}" + (" above 20 °C" if per == "K" else "")
     alt = f"{effect.component} against {label}"

@@ -276,7 +276,7 @@ def _driver_chart(page: Page, entry, outcome) -> str:
     x, asked, fitted = component_values(effect, outcome)
     if not len(x):
         return ""
-    single = effect.shape not in ("lag", "hysteresis") and "*" not in effect.driver
+    single = not effect.shape.memory and effect.driver.factors == 1
     names = (translate("Sens", "readings"), translate("Sens", "effect as fitted"))
     ylabel = f"{effect.component}, {unit_words(component(effect.component).unit)}"
     shown = page.picture(
@@ -291,9 +291,9 @@ def _driver_chart(page: Page, entry, outcome) -> str:
 
 
 def _driver_label(effect, outcome) -> str:
-    units = [u for u in (outcome.readings.units.get(effect.driver, ""),) if u]
-    if effect.driver.startswith("temp_"):
-        return translate("Sens", "{driver}, K from 20 °C").format(driver=effect.driver)
+    units = [u for u in (outcome.readings.units.get(str(effect.driver), ""),) if u]
+    if effect.driver.kinds == {"temp"} and effect.driver.factors == 1:
+        return translate("Sens", "{driver}, K from 20 °C").format(driver=driver_words(effect.driver))
     return driver_words(effect.driver) + (f", {units[0]}" if units else "")
 
 

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..closedloop.effects import effect_motion
 from ..closedloop.outcome import Outcome
 from ..closedloop.readings import Readings
 from ..closedloop.trace import trace
-from ..core.drivers import Effect, driver_values
+from ..core.effects import Effect
 from ..core.errors import component
 from ..core.machine import Machine
 from ..core.refusal import Refused
@@ -61,10 +60,9 @@ def component_values(effect: Effect, outcome: Outcome) -> tuple[np.ndarray, np.n
     with np.errstate(divide="ignore", invalid="ignore"):
         rest = np.bincount(readings.point, weights=rest, minlength=readings.points) / size
     keep = size > size.max() * SHORT_ARM**2
-    motion = effect_motion(effect, readings.columns)
-    scale = 1e6 if component(effect.component).angular else 1e3
-    driver = driver_values(effect.driver, readings.columns)
-    return driver[keep], (motion + rest)[keep] * scale, motion[keep] * scale
+    motion = effect.values(readings.columns)
+    c, driver = component(effect.component), effect.driver.values(readings.columns)
+    return driver[keep], c.to_shown((motion + rest)[keep]), c.to_shown(motion[keep])
 
 
 def point_vectors(outcome: Outcome, name: str) -> np.ndarray:

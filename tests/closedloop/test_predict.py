@@ -10,7 +10,7 @@ import pytest
 
 from sensworkbench.closedloop import outcome
 from sensworkbench.closedloop.design import ALL_SYMBOLS
-from sensworkbench.closedloop.effects import effect_motion, to_effect
+from sensworkbench.closedloop.effects import to_effect
 from sensworkbench.closedloop.predict import extrapolated, needed_columns, predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.search import Candidate
@@ -94,7 +94,7 @@ def test_the_file_predicts_what_the_fit_says(tracer, name):
     again = machine_json.loads(machine_json.dumps(machine))
     predicted = along(tracer.readings, predict(again, tracer.readings))
     assert predicted == pytest.approx(said, abs=1e-8)  # mm: a hundredth of a nanometre
-    assert np.ptp(effect_motion(again.effects[0], tracer.readings.columns)) > 0
+    assert np.ptp(again.effects[0].values(tracer.readings.columns)) > 0
 
 
 def test_all_effects_at_once_predict_together(tracer):

@@ -13,10 +13,12 @@ from sensworkbench.closedloop.bank import useful_columns
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.freeform import FreeScan, free_form, subspace_gain
 from sensworkbench.closedloop.naming import slow_columns
-from sensworkbench.closedloop.surface import bump_features, locate
+from sensworkbench.closedloop.surface import locate
 from sensworkbench.closedloop.tracer import DETECTABLE, Tracer, surface_candidate
-from sensworkbench.core.drivers import Effect, driver_values, effect_values, hysteresis, lag, shape_basis
+from sensworkbench.core.driver import Driver
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Linear, Regressor, bump_features, hysteresis, lag
 
 from .support import both, least_squares, measured, scattered, session
 
@@ -25,8 +27,9 @@ UNEVEN = np.array([0.0, 3.0, 4.0, 60.0, 61.0, 200.0, 900.0, 900.0, 2500.0])
 
 
 def shaped(shape: str, driver: str, columns: dict, **parameters) -> np.ndarray:
-    effect = Effect("e", "EXX", driver, shape, {k: {"value": v} for k, v in parameters.items()})
-    return shape_basis(effect, {k: np.asarray(v, dtype=float) for k, v in columns.items()})
+    return Regressor.make(driver, shape, **parameters).vectors(
+        {k: np.asarray(v, dtype=float) for k, v in columns.items()}
+    )
 
 
 # -- memory ----------------------------------------------------------------------------------------------------------
@@ -92,17 +95,13 @@ def test_approach_step_power_and_period_by_their_formulas():
 
 def test_a_product_of_columns_is_their_product_and_a_missing_column_is_refused_by_name():
     columns = {"x": np.array([1.0, 2.0]), "temp_a": np.array([3.0, -4.0])}
-    assert driver_values("temp_a*x", columns).tolist() == [3, -8]
+    assert Driver.parse("temp_a*x").values(columns).tolist() == [3, -8]
     with pytest.raises(Refused, match="temp_b"):
-        driver_values("temp_b*x", columns)
+        Driver.parse("temp_b*x").values(columns)
 
 
-def test_coefficients_are_micrometres_or_microradians_per_driver_unit():
-    columns = {"temp": np.array([2.0])}
-    length = Effect("e", "EXX", "temp", "linear", {"coefficient": {"value": 3.0}})
-    angle = Effect("e", "EAX", "temp", "linear", {"coefficient": {"value": 3.0}})
-    assert effect_values(length, columns) == pytest.approx([6e-3])  # mm
-    assert effect_values(angle, columns) == pytest.approx([6e-6])  # rad
+def test_coefficients_are_mm_or_rad_per_driver_unit():
+    assert Effect("e", "EXX", "temp", Linear(), (3e-3,)).values({"temp": np.array([2.0])}) == pytest.approx([6e-3])
 
 
 # -- free forms ------------------------------------------------------------------------------------------------------

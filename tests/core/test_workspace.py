@@ -12,10 +12,11 @@ from numpy.testing import assert_allclose
 
 from sensworkbench.core import sobol, synthesis, workspace
 from sensworkbench.core.distributions import Tolerance, moments
-from sensworkbench.core.drivers import Effect
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.errors import PAPER_SYMBOLS
 from sensworkbench.core.objectives import objective as Objective
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Linear
 from tests.core.support import CONVENTIONS, UM, URAD, c_frame, machine
 
 POINT = Tolerance(0.0, 0.0)
@@ -185,8 +186,7 @@ def test_orientation_is_the_same_everywhere_and_only_angles_matter():
 
 def test_traced_effect_takes_part_with_the_range_it_reached():
     """An effect that swings EAZ by +-20 urad counts exactly like the declared EAZ of +-20 urad."""
-    extent = {"value": [-20.0, 20.0], "unit": "urad"}
-    effect = Effect("column bends", "EAZ", "temp_column", "linear", {"extent": extent})
+    effect = Effect("column bends", "EAZ", "temp_column", Linear(), (5e-6,), reach=(-20e-6, 20e-6))
     m = c_frame(effects=(effect,))
     found = workspace.sensitivity(m, workspace.quadrature(m, 3), estimate=False)
     table = dict(zip(found.symbols, found.total))

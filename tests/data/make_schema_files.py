@@ -21,10 +21,10 @@ import FreeCAD as App  # noqa: E402
 
 from sensworkbench.closedloop.trace import trace  # noqa: E402
 from sensworkbench.core import distributions  # noqa: E402
-from sensworkbench.core.drivers import Effect  # noqa: E402
 from sensworkbench.document import closed_loop, extract, factory, jog, results  # noqa: E402
 from sensworkbench.document.base import kind_of  # noqa: E402
 from sensworkbench.formats import readings_csv  # noqa: E402
+from sensworkbench.formats.effects_json import of_parameters  # noqa: E402
 from tests.document import simulated  # noqa: E402
 from tests.document.blocks import TURNED, golden_machine  # noqa: E402
 from tests.document.stored import values  # noqa: E402
@@ -45,7 +45,8 @@ def full_machine(doc):
     holder.Placement = TURNED
     machine = golden_machine(doc, "YFXZ", parent=holder)
     parameters = {"coefficient": {"value": 2.5, "unit": "urad/K", "u": 0.1}}
-    factory.make_effect(machine, Effect("column tilts with temperature", "EAZ", "temp_column", "linear", parameters))
+    effect = of_parameters("column tilts with temperature", "EAZ", "temp_column", "linear", parameters)
+    factory.make_effect(machine, effect)
     given = {"EAX": distributions.Tolerance(-5e-6, 9e-6, "normal", 2e-6)}
     factory.set_tolerances(machine, given, {"EAX": "arcsec"})
     machine.Declared = {"EXX": "5"}

@@ -17,10 +17,10 @@ import numpy as np
 import pytest
 
 from sensworkbench.core import workspace
-from sensworkbench.core.drivers import Effect
 from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import archive, batch, extract, factory, handoff, results, tables
+from sensworkbench.formats.effects_json import of_parameters
 
 from .blocks import golden_machine
 
@@ -131,7 +131,7 @@ def test_fitted_errors_and_effects_are_written_under_their_bodies(saved, tmp_pat
 
     core, opened = batch.load_machine(saved)
     opened.close()
-    effect = Effect(
+    effect = of_parameters(
         "growth", "EZT", "t", "approach", {"coefficient": {"value": 12.0, "unit": "um"}, "tau": {"value": 900}}
     )
     fitted = FittedModel(constants={"C0Y": Constant(3e-6, 2e-7)})

@@ -11,14 +11,14 @@ import pytest
 
 from sensworkbench.core import distributions, workspace
 from sensworkbench.core import machine as core
-from sensworkbench.core.drivers import Effect
 from sensworkbench.core.joints import linear
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import base, extract, factory, jog, objects, results, tables
+from sensworkbench.formats.effects_json import of_parameters
 
 from .blocks import REFERENCES, TOOL, V, close, golden_machine
 
-EFFECT = Effect(
+EFFECT = of_parameters(
     "column tilts with temperature", "EAZ", "temp_column", "linear",
     {"coefficient": {"value": 2.5, "unit": "urad/K", "u": 0.1}, "extent": {"value": [-5.0, 12.5]}},
 )  # fmt: skip
@@ -176,7 +176,7 @@ def test_an_effect_stands_under_its_body_and_counts_while_it_is_enabled(doc):
 def test_effects_of_the_spindle_and_the_workpiece_find_their_bodies(doc):
     machine = golden_machine(doc)
     for component, body in (("EZT", "T"), ("EXW", "W")):
-        effect = factory.make_effect(machine, Effect(component, component, "t", "linear", {"coefficient": 1.0}))
+        effect = factory.make_effect(machine, of_parameters(component, component, "t", "linear", {"coefficient": 1.0}))
         assert effect in factory.body_of(machine, body).Group
 
 

@@ -12,9 +12,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.predict import predict
-from sensworkbench.core.drivers import Effect, effect_values
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
 from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.joints import linear
@@ -23,6 +21,7 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.shapes import Smooth
 from sensworkbench.core.synthesis import volumetric_error
 from sensworkbench.formats import fitted_json, readings_csv
+from sensworkbench.formats.effects_json import of_parameters
 from sensworkbench.formats.exchange import etalon, isg
 from sensworkbench.formats.exchange.axis_tables import axis_tables, correction
 from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
@@ -62,7 +61,7 @@ def machine(structure="XYFZ", *, directions=TURN, fitted=None, effects=(), squar
 
 
 def effect(name, component, driver, shape="linear", **parameters):
-    return Effect(name, component, driver, shape, {k: {"value": v} for k, v in parameters.items()})
+    return of_parameters(name, component, driver, shape, {k: {"value": v} for k, v in parameters.items()})
 
 
 BACKLASH = effect("backlash", "EXX", "dir_x", "reversal", coefficient=4.0)
@@ -92,7 +91,7 @@ def error(m: Machine, q, direction=1.0, temperature=0.0) -> np.ndarray:
             values[s] = np.polynomial.legendre.legval(u, e["coefficients"]) * (1e-6 if s[1] in "ABC" else 1e-3)
     for e in m.effects:
         if e.enabled:
-            values[e.component] = values.get(e.component, 0) + effect_values(e, columns)
+            values[e.component] = values.get(e.component, 0) + e.values(columns)
     return volumetric_error(m, values, q) if values else np.zeros_like(q)
 
 
@@ -345,7 +344,7 @@ def test_a_free_form_of_positions_is_a_table_too():
     m = machine(fitted={}, effects=[wavy])
     q = places()
     along = np.zeros_like(q)
-    along[:, 2] = effect_motion(wavy, {"x": q[:, 0]})
+    along[:, 2] = wavy.values({"x": q[:, 0]})
     assert np.ptp(along) > 1e-3
     assert siemens_shift(write(m, "siemens").files)(q, 1) == pytest.approx(-along, abs=5e-5)
     (table,) = isg.loads(next(iter(write(m, "isg").files.values()))).tables
@@ -405,7 +404,7 @@ Z      X      EXX    EYX    EZX    EAX    EBX    ECX
     for table in read.tables:  # four corners: the bilinear form goes through them
         e = m.fitted.series[table.symbol]
         own = np.polynomial.legendre.legval(corners[:, 0] / 5 - 1, e.coefficients)
-        rest = sum((effect_values(f, columns) for f in m.effects if f.component == table.symbol), 0 * own)
+        rest = sum((f.values(columns) for f in m.effects if f.component == table.symbol), 0 * own)
         assert own + rest == pytest.approx(table.values, abs=1e-9)
 
 

@@ -11,10 +11,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sensworkbench.core.distributions import Tolerance
-from sensworkbench.core.drivers import Effect
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.joints import linear
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Linear
 from sensworkbench.formats import machine_json
 
 from .support import ROOT, golden
@@ -99,7 +100,7 @@ def test_fitted_errors_and_effects_are_read_in_mm_and_rad_and_written_as_they_st
     assert first.fitted.constants["C0Y"].u == pytest.approx(0.4e-6)
     assert first.fitted.alignment["EXW"].value == pytest.approx(3.25e-3)
     assert first.fitted.runs["1"]["EZW"].value == pytest.approx(-0.5e-3)
-    assert first.effects[0].parameter("tau") == 1800.0
+    assert first.effects[0].shape.tau == 1800.0
     assert not first.effects[0].enabled
     assert first.extra == {"x-shop": {"id": [1, None, "a"]}}
     written = json.loads(machine_json.dumps(first))
@@ -145,7 +146,7 @@ def machines(draw) -> Machine:
         squareness=draw(st.sampled_from(["direction", "carried"])),
         tolerances=table,
         declared=draw(st.dictionaries(st.sampled_from(["EXX", "EBZ"]), st.integers(0, 9))),
-        effects=(Effect("e", "EXX", "temp_a*x", "linear", {"coefficient": {"value": draw(finite), "unit": "um/K"}}),),
+        effects=(Effect("e", "EXX", "temp_a*x", Linear(), (draw(finite),)),),
         extra={"x-note": draw(st.none() | finite)},
     )
 

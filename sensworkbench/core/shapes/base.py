@@ -178,6 +178,16 @@ class Shape:
         """The columns of the readings that it needs with this driver."""
         return driver.names if not self.needs_time or TIME in driver else (*driver.names, TIME)
 
+    def check_driver(self, driver: Driver) -> None:
+        """Refuse a driver that the shape cannot have."""
+
+    def in_order(self, order: Sequence[int], coefficients, u) -> tuple[Shape, tuple, tuple | None]:
+        """(shape, coefficients, u) for a driver whose columns are taken in the order of these numbers.
+
+        Only a shape over the columns, rather than over their product, changes.
+        """
+        return self, coefficients, u
+
     # -- what it computes --------------------------------------------------------------------------------------------
     def basis(self, v: np.ndarray, t: np.ndarray | None) -> np.ndarray:
         """(P, m) its columns for driver values v (P,); t (P,) seconds where it needs time, else None."""

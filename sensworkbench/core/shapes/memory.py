@@ -17,7 +17,7 @@ class Lag(Shape):
     name, title = "lag", Message("shape-lag")
     needs_time = memory = settles = True
     tau = Parameter(TIME_UNIT, above=0.0, search=Logarithmic(1.7, longest=1.5))  # longer is a trend of time
-    state0 = Parameter(default=0.0)
+    state0 = Parameter(default=0.0, absolute=True)
 
     def basis(self, v, t):
         return lag(v, t, self.tau, self.state0)[:, None]

@@ -105,7 +105,7 @@ class Step(Shape):
     name, title = "step", Message("shape-step")
     compared = False
     sudden = True
-    at = Parameter(search=Levels())
+    at = Parameter(search=Levels(), absolute=True)
 
     def basis(self, v, t):
         return (v > self.at).astype(float)[:, None]
@@ -183,7 +183,7 @@ class Polynomial(Shape):
     series = tabulable = True
     scanned = False  # too many to stand in the bank
     degree = Parameter(NUMBER, least=1, most=MAX_DEGREE, whole=True)
-    domain = Interval()
+    domain = Interval(absolute=True)
 
     @property
     def size(self) -> int:

@@ -45,10 +45,28 @@ class Smooth(Shape):
     def size(self) -> int:
         return int(np.prod(self.bumps)) if self.mix is None else self.mix.shape[1]
 
+    def check_driver(self, driver):
+        if driver.factors != len(self.bumps):
+            raise Refused("smooth-columns", bumps=len(self.bumps), domains=driver.factors)
+
+    def in_order(self, order, coefficients, u):
+        if list(order) == sorted(order) or len(order) != len(self.bumps):
+            return self, coefficients, u
+
+        def turned(values):
+            table = np.array(values, dtype=object).reshape(self.bumps)
+            return tuple(table.transpose(order).ravel())
+
+        bumps, domains = (tuple(values[i] for i in order) for values in (self.bumps, self.domains))
+        return (
+            Smooth(bumps=bumps, domains=domains),
+            turned(coefficients) if coefficients else coefficients,
+            turned(u) if u else u,
+        )
+
     def vectors(self, driver, columns, where=""):
+        self.check_driver(driver)
         driver.values(columns, where)
-        if len(driver.columns) != len(self.bumps):
-            raise Refused("smooth-columns", where, bumps=len(self.bumps), domains=len(driver.columns))
         features = bump_features(columns, driver.columns, self.bumps, self.domains)
         return features if self.mix is None else features @ self.mix
 

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.errors import AXES, SQUARENESS_SYMBOLS, component
@@ -145,7 +144,7 @@ def correction(machine: Machine, tables: dict[tuple[str, str], AxisTable], q, di
 
 def _effect(effect, source, q, direction):
     name = source.lower()
-    return effect_motion(effect, {name: q, f"dir_{name}": np.full_like(q, direction)})
+    return effect.values({name: q, f"dir_{name}": np.full_like(q, direction)})
 
 
 def _sampled(pair, functions, travel, limit: int) -> AxisTable:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from sensworkbench.core.drivers import Effect, driver_columns
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.errors import AXES, COMPONENTS, ROTATION, SQUARENESS, TRANSLATION, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
@@ -25,7 +25,6 @@ FORMATS = {
 }
 POSITION = {"x": "X", "y": "Y", "z": "Z"}
 DIRECTION = {"dir_x": "X", "dir_y": "Y", "dir_z": "Z"}
-SMOOTH = ("linear", "polynomial", "periodic", "power", "smooth")
 
 
 @dataclass(frozen=True)
@@ -48,18 +47,18 @@ class Drive:
 
 def drive(effect: Effect) -> Drive | str:
     """The table arguments of an effect, or the reason why no table of positions can hold it."""
-    columns = driver_columns(effect.driver)
+    columns = effect.driver.columns
     foreign = sorted(c for c in set(columns) if c not in POSITION and c not in DIRECTION)
     if foreign:
         return f"a controller table does not know {', '.join(foreign)}"
     directions = [c for c in columns if c in DIRECTION]
     axes = tuple(sorted({POSITION[c] for c in columns if c in POSITION}))
     if directions:
-        if len(directions) > 1 or effect.shape not in ("linear", "reversal"):
+        if len(directions) > 1 or not effect.shape.proportional:
             return "a table knows one direction of travel, and only in proportion"
         return Drive(axes, DIRECTION[directions[0]])
-    if effect.shape not in SMOOTH:
-        return f"a table of positions cannot hold the shape {effect.shape!r}"
+    if not effect.shape.tabulable:
+        return f"a table of positions cannot hold the shape {effect.shape.name!r}"
     return Drive(axes)
 
 

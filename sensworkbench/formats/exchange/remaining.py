@@ -14,7 +14,6 @@ import numpy as np
 
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
-from sensworkbench.core.drivers import driver_columns
 from sensworkbench.core.errors import AXES
 from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.machine import Machine
@@ -56,11 +55,7 @@ def remaining(machine: Machine, fmt: str, positions: Readings | None = None, tab
     if positions is None:
         positions = workspace(machine)
         known = {*POSITION, *DIRECTION}
-        left_out = tuple(
-            e.name
-            for e in machine.effects
-            if e.enabled and (e.shape == "lag" or not set(driver_columns(e.driver)) <= known)
-        )
+        left_out = tuple(e.name for e in machine.effects if e.enabled and not set(e.columns) <= known)
     effects = tuple(replace(e, enabled=False) if e.name in left_out else e for e in machine.effects)
     machine = replace(machine, effects=effects, fitted=machine.fitted or FittedModel())
     before = predict(machine, positions, alignment=False)

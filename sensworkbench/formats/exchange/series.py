@@ -9,9 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-import numpy as np
-
-from sensworkbench.core.drivers import Effect
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.errors import DECLARED_SYMBOLS, SQUARENESS_SYMBOLS, component
 from sensworkbench.core.fitted import Constant, FittedModel, Series
 from sensworkbench.core.machine import Machine
@@ -79,10 +77,11 @@ def as_direction(machine: Machine) -> Machine:
 
 
 def _turned(effect: Effect, sign: int) -> Effect:
-    parameters = dict(effect.parameters)
-    given = parameters["coefficient"]
-    value = np.multiply(sign, given["value"] if isinstance(given, Mapping) else given).tolist()
-    parameters["coefficient"] = {**given, "value": value} if isinstance(given, Mapping) else value
+    reach = None if effect.reach is None else tuple(sorted(sign * v for v in effect.reach))
     return replace(
-        effect, name=f"{effect.name} (carried)", component=CARRIED_AS[effect.component], parameters=parameters
+        effect,
+        name=f"{effect.name} (carried)",
+        component=CARRIED_AS[effect.component],
+        coefficients=tuple(sign * v for v in effect.coefficients),
+        reach=reach,
     )

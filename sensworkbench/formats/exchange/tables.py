@@ -13,12 +13,13 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sensworkbench.closedloop.effects import effect_motion
 from sensworkbench.closedloop.readings import Finding
-from sensworkbench.core.drivers import Effect, driver_name, to_domain
+from sensworkbench.core.driver import Driver
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.errors import AXES, SQUARENESS, SQUARENESS_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.shapes import Linear, to_domain
 
 from .coverage import Coverage, drive
 from .series import CARRIED_AS, Series, as_direction, series, squareness, with_fitted
@@ -99,7 +100,7 @@ def _sampled(machine, symbol, arguments, effects, constant) -> ErrorTable:
         columns = {k.lower(): points[:, i] for i, k in enumerate(arguments)}
         out = own(columns[c.body.lower()]) if c.body in arguments else np.full(len(points), own.coefficients[0])
         for effect, _ in effects:
-            out = out + effect_motion(effect, columns)
+            out = out + effect.values(columns)
         return out
 
     travel = [machine.axes[k].travel for k in arguments]
@@ -280,10 +281,10 @@ def _approximated(table: ErrorTable, degree: int):
         v = table.points[:, i]
         if np.ptp(v) == 0:
             continue
-        drivers.append((driver_name([table.arguments[i].lower()]), f"{c.unit}/mm"))
+        drivers.append(Driver((table.arguments[i].lower(),)))
         blocks.append(v[:, None])
         if own is not None and used:
-            drivers.append((driver_name([table.arguments[i].lower(), c.body.lower()]), f"{c.unit}/mm^2"))
+            drivers.append(Driver((table.arguments[i].lower(), c.body.lower())))
             blocks.append((v * q)[:, None])
     matrix = np.concatenate(blocks, axis=1)
     size = np.abs(matrix).max(axis=0)
@@ -294,10 +295,11 @@ def _approximated(table: ErrorTable, degree: int):
         table.symbol, used, float(np.sqrt((rest**2).mean())), float(np.abs(rest).max()), c.unit
     )
     effects = []
-    for (name, unit), value, column in zip(drivers, solution[used + 1 :], matrix.T[used + 1 :], strict=True):
+    for driver, value, column in zip(drivers, solution[used + 1 :], matrix.T[used + 1 :], strict=True):
         if np.abs(value * column).max() * scale > 1e-6:
-            parameters = {"coefficient": {"value": float(value * scale), "unit": unit}}
-            effects.append(Effect(f"{table.symbol} over {name}", table.symbol, name, "linear", parameters))
+            extent = (float(column.min()), float(column.max()))
+            name = f"{table.symbol} over {driver}"
+            effects.append(Effect(name, table.symbol, driver, Linear(), (float(value),), extent=extent))
     if c.kind == SQUARENESS:
         return float(solution[0]), effects, approximation
     return Series(domain, tuple(float(v) for v in solution[: used + 1])), effects, approximation
