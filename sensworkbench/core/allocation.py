@@ -308,8 +308,7 @@ def _branch_and_bound(problem: Problem, choices, progress) -> Allocation:
             solved = _solved(problem, child)
             children.append((solved[0], child, solved))
         stack += sorted(children, key=lambda c: -c[0])  # the lowest bound is taken next
-    lowest = min([best[0], *open_bounds]) if open_bounds else best[0]
-    bound = lowest if not open_bounds else min(lowest, best[0])
+    bound = min([best[0] * (1 - GAP), *open_bounds])  # what was left out could be better by no more than that
     widths, grades = best[1], best[2]
     costs = np.array([
         c.cost(w) if g is None else c.grades[g].cost for c, w, g in zip(problem.costs, widths, grades)

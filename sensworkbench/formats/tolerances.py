@@ -15,7 +15,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from sensworkbench.core.distributions import Tolerance
-from sensworkbench.core.errors import component
+from sensworkbench.core.errors import Component, component
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import parse as parse_quantity
 
@@ -31,12 +31,15 @@ _SHOWN = 5  # further findings whose places one refusal lists
 _LIMIT = 2 * 2**20
 
 
-def load(path) -> dict[str, Tolerance]:
-    """symbol -> Tolerance of a .csv or .json file.  Refuses with every finding's line and column."""
+def load(path, known=component) -> dict[str, Tolerance]:
+    """symbol -> Tolerance of a .csv or .json file.  Refuses with every finding's line and column.
+
+    known : look-up of a symbol with its place among a machine's components; so in the functions below.
+    """
     text = read_text(path, _LIMIT)
     if text.lstrip()[:1] in ("{", "["):
-        return loads_json(text, str(path))
-    return loads_csv(text, str(path))
+        return loads_json(text, str(path), known)
+    return loads_csv(text, str(path), known)
 
 
 def save(tolerances: Mapping[str, Tolerance], path, angle_unit: str = "urad") -> None:
@@ -45,7 +48,7 @@ def save(tolerances: Mapping[str, Tolerance], path, angle_unit: str = "urad") ->
     write_text(path, dumps(tolerances, angle_unit))
 
 
-def loads_json(text: str, name: str = "tolerances.json") -> dict[str, Tolerance]:
+def loads_json(text: str, name: str = "tolerances.json", known=component) -> dict[str, Tolerance]:
     """symbol -> Tolerance of a tolerance file, or of the tolerances in a machine file."""
     top = parse_json(text, name)
     kind = top.value.get("format") if isinstance(top.value, dict) else None
@@ -57,32 +60,32 @@ def loads_json(text: str, name: str = "tolerances.json") -> dict[str, Tolerance]
             raise top["version"].refuse(f"version {short(top.value['version'])} is not known", f"Known is {VERSION}.")
     elif "tolerances" not in top:
         raise top.refuse("this machine states no tolerances of its own")
-    return from_json(top["tolerances"])
+    return from_json(top["tolerances"], known)
 
 
 def dumps_json(tolerances: Mapping[str, Tolerance], angle_unit: str = "urad") -> str:
     """The text of a tolerance file."""
-    table = {s: tolerance_dict(s, t, _unit(s, angle_unit)) for s, t in tolerances.items()}
+    table = {s: tolerance_dict(s, t, _unit(component(s), angle_unit)) for s, t in tolerances.items()}
     data = {"format": FORMAT, "version": VERSION, "tolerances": table}
     return json.dumps(data, indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _unit(symbol: str, angle_unit: str) -> str:
-    return angle_unit if component(symbol).angular else "um"
+def _unit(c: Component, angle_unit: str) -> str:
+    return angle_unit if c.angular else "um"
 
 
-def dumps_csv(tolerances: Mapping[str, Tolerance], angle_unit: str = "urad") -> str:
+def dumps_csv(tolerances: Mapping[str, Tolerance], angle_unit: str = "urad", known=component) -> str:
     """The table as CSV."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(COLUMNS)
     for symbol, tolerance in tolerances.items():
-        row = tolerance_dict(symbol, tolerance, _unit(symbol, angle_unit)) | {"symbol": neutral(symbol)}
+        row = tolerance_dict(symbol, tolerance, _unit(known(symbol), angle_unit), known) | {"symbol": neutral(symbol)}
         writer.writerow([row.get(c, "") for c in COLUMNS])
     return stream.getvalue()
 
 
-def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
+def loads_csv(text: str, name: str = "tolerances.csv", known=component) -> dict[str, Tolerance]:
     """symbol -> Tolerance of a table.  All findings are collected and refused together."""
     lines = [(n, line) for n, line in enumerate(text.splitlines(), start=1) if line.strip() and line.lstrip()[0] != "#"]
     if not lines:
@@ -106,7 +109,7 @@ def loads_csv(text: str, name: str = "tolerances.csv") -> dict[str, Tolerance]:
         try:
             cells = _cells(line, mark, where)
             _check_decimals(names, cells, mark, where, signs)
-            symbol, tolerance = _row(names, cells, where)
+            symbol, tolerance = _row(names, cells, where, known)
             if symbol in found:
                 raise Refused("tolerance-twice", f"{where}, column symbol", symbol=symbol)
             found[symbol] = tolerance
@@ -146,11 +149,11 @@ def _check_decimals(names, cells, mark: str, where: str, signs: dict[str, str]) 
                 raise Refused("decimal-mixed", f"{where}, column {column}", cell=short(a), other=short(b))
 
 
-def _row(names: list[str], cells: list[str], where: str) -> tuple[str, Tolerance]:
+def _row(names: list[str], cells: list[str], where: str, known) -> tuple[str, Tolerance]:
     if len(cells) > len(names):
         raise Refused("tolerance-cells", where, cells=len(cells), columns=len(names))
     row = dict.fromkeys(COLUMNS, "") | {n: c.strip() for n, c in zip(names, cells)}
-    c = component(row["symbol"], f"{where}, column symbol")
+    c = known(row["symbol"], f"{where}, column symbol")
     unit = row["unit"] or c.unit
     values: dict[str, float | None] = {"sigma": None}
     for column in ("lower", "upper", "sigma"):

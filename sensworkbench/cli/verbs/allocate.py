@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`allocate MACHINE --target KIND=VALUE --costs COSTS.csv --out DIR`: the cheapest tolerances that meet a target."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from sensworkbench.core.refusal import Refused
+
+from .. import common
+
+HELP = "the cheapest tolerances that meet a target"
+FILES = "`allocation.json`, `tolerances.csv`, `front.csv`, `machine.json`, `report.html`"
+
+
+def add(parser) -> None:
+    common.add_machine(parser)
+    text = "mean_square=UM2 or rms=UM over the workspace, or worst=UM, the rms at its worst place"
+    parser.add_argument("--target", metavar="KIND=VALUE", required=True, help=text)
+    parser.add_argument("--costs", metavar="COSTS.csv", required=True, help="what each tolerance costs")
+    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    common.add_language(parser)
+
+
+def _target(text: str):
+    from sensworkbench.studies.allocation import Target
+
+    kind, _, value = text.partition("=")
+    try:
+        number = float(value)
+    except ValueError:
+        raise Refused("target-not-a-number", "--target", text=repr(text)[:60]) from None
+    return Target(kind.strip(), number)
+
+
+def run(arguments) -> int:
+    from sensworkbench.formats import allocation_json, costs_csv, study_files
+    from sensworkbench.studies.allocation import allocation_study
+
+    target = _target(arguments.target)
+    machine = common.load_machine(arguments.machine)
+    costs = costs_csv.load(arguments.costs, machine)
+    common.keep_inputs(Path(arguments.out) / "machine.json", arguments.machine)
+    result = allocation_study(machine, target, costs)
+    paths = study_files.write_set(arguments.out, "allocate", allocation_json.files(result, arguments.language))
+    return common.say_paths(paths)
