@@ -24,9 +24,9 @@ FAMILIES = {"temp_": "K", "load_": "kg"}
 
 
 def column_unit(name: str, units: Mapping[str, str] | None = None) -> str | None:
-    """Internal unit of a driver column: "" where it has none, None where its name does not tell.
+    """Return the internal unit of a driver column: "" if it has none, None if its name does not determine it.
 
-    units : column -> unit where that is known from elsewhere (readings, the joints of a machine); goes first.
+    units : column -> unit where that is known from elsewhere (readings, the joints of a machine); takes precedence.
     """
     if units and units.get(name):
         return "K" if units[name] == "C" and name.startswith("temp_") else units[name]
@@ -47,9 +47,9 @@ def column_kind(name: str) -> str:
 
 @dataclass(frozen=True, order=True)
 class Driver:
-    """A product of columns.  columns : their names, sorted; a name that stands twice is a square.
+    """A product of columns.  columns : their names, sorted; a name that occurs twice is a square.
 
-    Refuses no columns, more than `MOST_FACTORS`, and names that are empty, hold "*" or begin or end with a blank.
+    Refuses no columns, more than `MOST_FACTORS`, and names that are empty, contain "*" or begin or end with a blank.
     """
 
     columns: tuple[str, ...]
@@ -102,7 +102,7 @@ class Driver:
 
     @property
     def repeats(self) -> bool:
-        """Whether a column stands in it more than once."""
+        """Whether a column occurs in it more than once."""
         return len(self.names) < self.factors
 
     @property

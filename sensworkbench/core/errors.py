@@ -54,6 +54,7 @@ class Component:
 
     @property
     def angular(self) -> bool:
+        """Whether it is an angle (rad), rather than a length (mm)."""
         return self.kind not in (TRANSLATION, AXIS_POSITION)
 
     @property
@@ -146,7 +147,7 @@ _ALIASES = _aliases()
 
 
 def canonical(symbol) -> str:
-    """The ISO name of a symbol or alias: `E_C0Y` and `s_xy` are `C0Y`.  Says nothing about whether it exists."""
+    """Return the ISO name of a symbol or alias: `E_C0Y` and `s_xy` are `C0Y`.  Does not check that the error exists."""
     key = str(symbol).strip().upper()
     key = _ALIASES.get(key, key)
     return key[2:] if key.startswith("E_") else key

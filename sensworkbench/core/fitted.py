@@ -32,6 +32,7 @@ class Series:
 
     @property
     def empty(self) -> bool:
+        """Whether all coefficients are 0."""
         return not any(self.coefficients)
 
     def plus(self, constant: float) -> Series:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is judged: a number made of the volumetric error, with its indices.  Objectives are registered here by name.
+"""Objectives: numbers computed from the volumetric error, with their indices, registered by name.
 
-An objective is one class: how its indices are computed, the unit of its mean, and its words.  Nothing else asks which
-one it is.
+An objective is one class: how its indices are computed, the unit of its mean, and its words.  No other module depends
+on which objective it is.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class Objective:
 
     # -- files -------------------------------------------------------------------------------------------------------
     def to_json(self) -> dict:
-        """Plain data from which `from_json` makes an equal objective."""
+        """Return plain data from which `from_json` makes an equal objective."""
         return {"name": self.name, "output": self.output, "weights": list(self.weights)}
 
     @property
@@ -166,7 +166,7 @@ def objective(output: str = POSITION, weights=(1.0, 1.0, 1.0), signed: bool = Fa
 
 
 def from_json(data: dict) -> Objective:
-    """The objective of plain data; refuses a name that is not registered."""
+    """Return the objective described by plain data; refuses a name that is not registered."""
     fields = dict(data)
     name = fields.pop("name", "mean_square")
     if name not in OBJECTIVES:

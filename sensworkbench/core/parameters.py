@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parameters of shapes: what number stands for, its bounds, and how a search brings an unknown one to its best.
+"""Parameters of shapes: meaning, bounds, and how an unknown value is found by a search.
 
 A shape declares its parameters as class attributes; on an instance the attribute is the value.  A parameter with a
 `search` is fitted to readings, from a start on the grid of the shape; the others are chosen with the shape.
@@ -60,18 +60,22 @@ class Reciprocal:
 
     @staticmethod
     def forth(value: float) -> float:
+        """Return the value on the scale of the search: its reciprocal, the frequency."""
         return 1 / value
 
     back = forth
 
     def further_starts(self, span: float) -> list[float]:
+        """Return no further starts: the grid of the shape is fine enough."""
         return []
 
     def bounds(self, start: float, span: float, session: float | None) -> tuple[float, float]:
+        """Return the ends of the search as frequencies, `reach` / span to either side of the start."""
         reach = self.reach / span
         return 1 / start - reach, 1 / start + reach
 
     def step(self, value: float, span: float) -> float:
+        """Return the step of a finite difference: 2 % of the value's share of the span."""
         return 0.02 * value**2 / span
 
 
@@ -85,17 +89,21 @@ class Evenly:
 
     @staticmethod
     def forth(value: float) -> float:
+        """Return the value on the scale of the search: itself."""
         return value
 
     back = forth
 
     def further_starts(self, span: float) -> list[float]:
+        """Return no further starts."""
         return []
 
     def bounds(self, start: float, span: float, session: float | None) -> tuple[float, float]:
+        """Return the ends of the search, `below` under and `above` over the start."""
         return max(self.least, start - self.below), start + self.above
 
     def step(self, value: float, span: float) -> float:
+        """Return the step of a finite difference: 2 % of the value."""
         return 0.02 * value
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Shapley effects of Y = TᵀWT for correlated normal inputs: how much of V(Y) each group of errors is worth.
+"""Shapley effects of Y = TᵀWT for correlated normal inputs: the share of V(Y) that each group of errors contributes.
 
-With X ~ N(mu, Sigma), Y = XᵀAX, A = OmegaᵀW Omega and C_u = Sigma_.u Sigma_u⁺ Sigma_u. (what the errors u tell of all),
-V(E[Y|X_u]) = 2 tr((W M_u)²) + 4 tᵀ M_u t  with  M_u = Omega C_u Omegaᵀ (3x3) and t = W Omega mu.
-The value of a group is its mean gain over all orders in which groups can be learned (Owen 2014; Song, Nelson & Staum
+With X ~ N(mu, Sigma), Y = XᵀAX, A = OmegaᵀW Omega and C_u = Sigma_.u Sigma_u⁺ Sigma_u. (the covariance explained by the
+errors u), V(E[Y|X_u]) = 2 tr((W M_u)²) + 4 tᵀ M_u t  with  M_u = Omega C_u Omegaᵀ (3x3) and t = W Omega mu.
+The value of a group is its mean gain over all orders in which groups can become known (Owen 2014; Song, Nelson & Staum
 2016); they add up to V(Y).  For independent inputs this is (S + S^T)/2 of each, since nothing exists above pairs.
 """
 

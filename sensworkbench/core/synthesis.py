@@ -7,8 +7,8 @@ a motion of its body is Ad(G) of the unit twist at its reference point where tha
 is s Ad(G) (eta - Ad(exp(s q xi)) eta), or s Ad(G) eta where squareness is "carried"; and every column is seen from the
 workpiece, Ad(G_W^-1), at the functional point.  For linear joints X, Y, Z this is
 T = sum_k [d_k + e_k x r_k] + sum_k q_k (s_k x u_k) + d_T + e_T x r_T + d_W + e_W x r_W.
-The exact product of transformation matrices stands beside it as the reference; second-order coupling is about 2 nm on
-usual machines.
+The exact product of transformation matrices is computed here as well, as the reference of the tests; second-order
+coupling is about 2 nm on usual machines.
 """
 
 from __future__ import annotations

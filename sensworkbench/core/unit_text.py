@@ -32,12 +32,14 @@ class Unit:
     powers: Mapping[str, float] = field(default_factory=dict)
 
     def times(self, other: Unit, sign: int = 1) -> Unit:
+        """Return the product of two units; sign -1: the quotient."""
         powers = dict(self.powers)
         for kind, power in other.powers.items():
             powers[kind] = powers.get(kind, 0.0) + sign * power
         return Unit(self.factor * other.factor**sign, {k: p for k, p in powers.items() if abs(p) > 1e-9})
 
     def power(self, exponent: float) -> Unit:
+        """Return the unit raised to a power."""
         return Unit(self.factor**exponent, {k: p * exponent for k, p in self.powers.items()})
 
     def same_kind(self, other: Unit) -> bool:

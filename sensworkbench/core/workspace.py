@@ -3,8 +3,8 @@
 
 The mean of S^T is an integral of a smooth rational function of the joint positions, so Gauss-Legendre quadrature
 reaches six digits with a few positions per joint; the paper's sum over a grid, divided by the number of points, is
-offered beside it.  Where a product of so many joints is too large, a low-discrepancy set with an estimate of its error
-takes its place.
+available too.  If a product of so many joints is too large, a low-discrepancy set with an estimate of its error is
+used.
 """
 
 from __future__ import annotations
@@ -180,10 +180,14 @@ class Sensitivity:
 
     @property
     def share(self) -> np.ndarray:
+        """(errors,) shares of the variance that add to one: (S + S^T) / 2, the Shapley effect of independent errors."""
         return (self.first + self.total) / 2
 
     @property
     def component_share(self) -> np.ndarray:
+        """(components,) shares of the variance that add to one: (S + S^T) / 2 with the closed index S of the
+        component.
+        """
         return (self.component_first + self.component_total) / 2
 
 

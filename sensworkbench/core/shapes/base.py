@@ -53,14 +53,17 @@ class Varying:
 
     @cached_property
     def two_level(self) -> set[str]:
+        """Return the columns with at most two values."""
         return {n for n in self.names if len(np.unique(self.columns[n])) <= 2}
 
     @cached_property
     def places(self) -> list[str]:
+        """Return the columns that are positions."""
         return [n for n in POSITIONS if n in self.names]
 
     @cached_property
     def directions(self) -> list[str]:
+        """Return the columns that are directions of approach."""
         return [n for n in DIRECTIONS if n in self.names]
 
     @cached_property
@@ -78,6 +81,7 @@ class Varying:
         return [n for n in rest if float(np.mean(np.diff(self.columns[n]) ** 2)) < float(np.var(self.columns[n]))]
 
     def span(self, name: str) -> float:
+        """Return the largest less the smallest value of a column."""
         return float(np.ptp(self.columns[name]))
 
 
@@ -237,6 +241,7 @@ class Regressor:
 
     @property
     def size(self) -> int:
+        """Number of columns, m."""
         return self.shape.size
 
     @property
@@ -249,6 +254,7 @@ class Regressor:
         return self.shape.vectors(self.driver, columns, where)
 
     def having(self, **changes) -> Regressor:
+        """Return the same driver with other parameters of the shape."""
         return Regressor(self.driver, self.shape.having(**changes))
 
     def joined(self, other: Regressor, columns) -> Regressor | None:
