@@ -9,13 +9,18 @@ from __future__ import annotations
 
 import re
 import zipfile
+import zlib
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.parsers import expat
 
 from ..core.refusal import Refused
 
 DOCUMENT, VIEW, THUMBNAIL = "Document.xml", "GuiDocument.xml", "thumbnails/Thumbnail.png"
+MAX_MEMBERS = 200_000
+MAX_TEXT, MAX_MEMBER = 2**28, 2**32  # bytes: of the two XML texts, of any other member
+SMALL, MAX_RATIO = 2**20, 200  # bytes from which a member may be this much larger than packed
+MAX_DEPTH = 200  # of nested elements
 _FILE = re.compile(rb'(?<![\w:])file="([^"]+)"')
 
 
@@ -34,36 +39,93 @@ class Contents:
 
 
 def read_contents(path) -> Contents:
-    """Read the declarations of an FCStd file; refuses what is no FreeCAD document."""
+    """Read the declarations of an FCStd file; refuses what is no FreeCAD document, and what would unpack without end.
+
+    Nothing that the document holds is executed or imported; entities and document types are refused.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            _check_sizes(archive, path)
+            types, modules, shapes = _declared(_member(archive, DOCUMENT))
+            sizes = {info.filename: info.file_size for info in archive.infolist()}
+            shaped = frozenset(name for name, file in shapes.items() if sizes.get(file, 0) > 0)
+            return Contents(types, modules, VIEW in sizes, shaped)
+    except (OSError, zipfile.BadZipFile, zlib.error, EOFError, KeyError, expat.ExpatError):
+        raise Refused("document-not-one", str(path)) from None
+    except (NotImplementedError, RuntimeError, ValueError, LookupError, MemoryError) as error:
+        if isinstance(error, Refused):
+            raise
+        raise Refused("document-not-one", str(path)) from None  # a packing or an encoding that is not supported
+
+
+def check_whole(path) -> None:
+    """Refuse an archive that was just written and cannot be read back (a disk that is full)."""
+    try:
+        with zipfile.ZipFile(path) as archive:
+            whole = archive.testzip() is None and DOCUMENT in archive.namelist()
+    except (OSError, zipfile.BadZipFile, zlib.error, EOFError, RuntimeError):
+        whole = False
+    if not whole:
+        raise Refused("written-not-whole", str(path))
+
+
+def _check_sizes(archive: zipfile.ZipFile, path) -> None:
+    """Refuse before unpacking: too many members, or one that is far larger than what it is packed into."""
+    members = archive.infolist()
+    if len(members) > MAX_MEMBERS:
+        raise Refused("document-too-large", str(path), name=f"{len(members)} members")
+    for member in members:
+        bomb = member.file_size > SMALL and member.file_size > MAX_RATIO * max(member.compress_size, 1)
+        text = member.filename in (DOCUMENT, VIEW)
+        if bomb or member.file_size > (MAX_TEXT if text else MAX_MEMBER):
+            raise Refused("document-too-large", str(path), name=member.filename[:60])
+
+
+def _member(archive: zipfile.ZipFile, name: str) -> bytes:
+    """A member, of no more bytes than it declares."""
+    size = archive.getinfo(name).file_size
+    with archive.open(name) as stream:
+        data = stream.read(size + 1)
+    if len(data) > size:
+        raise zipfile.BadZipFile
+    return data
+
+
+def _declared(text: bytes) -> tuple[dict[str, str], dict[str, str], dict[str, str]]:
+    """(object -> type, object -> module of its Python proxy, object -> file of its shape) of a Document.xml."""
     types: dict[str, str] = {}
     modules: dict[str, str] = {}
     shapes: dict[str, str] = {}
-    try:
-        with zipfile.ZipFile(path) as archive:
-            sizes = {info.filename: info.file_size for info in archive.infolist()}
-            has_view = VIEW in sizes
-            with archive.open(DOCUMENT) as stream:
-                name = ""
-                inside = shape = False
-                for event, element in ElementTree.iterparse(stream, events=("start", "end")):
-                    if event == "start":
-                        if element.tag == "Object":
-                            name = element.get("name", "")
-                            if element.get("type"):
-                                types[name] = element.get("type", "")
-                        elif element.tag == "Property":
-                            inside = element.get("type") == "App::PropertyPythonObject"
-                            shape = element.get("name") == "Shape"
-                        elif element.tag == "Part" and shape and element.get("file"):
-                            shapes[name] = element.get("file", "")
-                        elif element.tag == "Python" and inside and element.get("module"):
-                            modules[name] = element.get("module", "")
-                    elif element.tag == "Object":
-                        element.clear()
-    except (OSError, zipfile.BadZipFile, KeyError, ElementTree.ParseError, NotImplementedError, RuntimeError):
-        raise Refused("is not a FreeCAD document", str(path), "Save it again in FreeCAD.") from None
-    shaped = frozenset(name for name, file in shapes.items() if sizes.get(file, 0) > 0)
-    return Contents(types, modules, has_view, shaped)
+    name, inside, shape, depth = "", False, False, 0
+
+    def start(tag, attributes):
+        nonlocal name, inside, shape, depth
+        depth += 1
+        if depth > MAX_DEPTH:
+            raise zipfile.BadZipFile
+        if tag == "Object":
+            name = attributes.get("name", "")
+            if attributes.get("type"):
+                types[name] = attributes["type"]
+        elif tag == "Property":
+            inside = attributes.get("type") == "App::PropertyPythonObject"
+            shape = attributes.get("name") == "Shape"
+        elif tag == "Part" and shape and attributes.get("file"):
+            shapes[name] = attributes["file"]
+        elif tag == "Python" and inside and attributes.get("module"):
+            modules[name] = attributes["module"]
+
+    def end(_):
+        nonlocal depth
+        depth -= 1
+
+    def refuse(*_):
+        raise zipfile.BadZipFile
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler, parser.EndElementHandler, parser.StartDoctypeDeclHandler = start, end, refuse
+    parser.Parse(text, True)  # all at once: in pieces, one long token takes time with the square of its length
+    return types, modules, shapes
 
 
 def keep_view(original, saved) -> bool:
@@ -71,9 +133,9 @@ def keep_view(original, saved) -> bool:
     with zipfile.ZipFile(original) as source:
         if VIEW not in source.namelist():
             return False
-        view = source.read(VIEW)
+        view = _member(source, VIEW)
         known = set(source.namelist())
-        side = {name.decode(): name for name in _FILE.findall(view) if name.decode() in known}
+        side = [n for n in dict.fromkeys(m.decode("utf-8", "replace") for m in _FILE.findall(view)) if n in known]
         saved = Path(saved)
         work = saved.with_name(saved.name + ".part")
         try:
@@ -85,10 +147,7 @@ def keep_view(original, saved) -> bool:
                 renamed = {}
                 for name in side:
                     renamed[name] = _free(name, taken | set(renamed.values()))
-                for name, new in renamed.items():
-                    if new != name:
-                        view = view.replace(f'file="{name}"'.encode(), f'file="{new}"'.encode())
-                out.writestr(VIEW, view)
+                out.writestr(VIEW, _FILE.sub(lambda m: _with_name(m, renamed), view))
                 for name, new in renamed.items():
                     out.writestr(new, source.read(name))
                 if THUMBNAIL in known:
@@ -97,6 +156,11 @@ def keep_view(original, saved) -> bool:
         finally:
             work.unlink(missing_ok=True)
     return True
+
+
+def _with_name(found: re.Match, renamed: dict[str, str]) -> bytes:
+    name = found.group(1).decode("utf-8", "replace")
+    return b'file="' + renamed[name].encode() + b'"' if name in renamed else found.group()
 
 
 def _free(name: str, taken: set[str]) -> str:

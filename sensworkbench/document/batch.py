@@ -26,7 +26,7 @@ from . import (
     results,
     tables,
 )
-from .archive import Contents, keep_view, read_contents
+from .archive import Contents, check_whole, keep_view, read_contents
 from .base import kind_of, put
 from .extract import core_machine, objective, positions
 from .factory import make_effect, set_tolerances
@@ -215,6 +215,7 @@ def save_copy(opened: Opened, path_out) -> Path:
         opened.document.Label = path_out.stem
         opened.document.save()
         keep_view(opened.path, work)
+        check_whole(work)
         work.chmod(0o666 & ~_umask())
         work.replace(path_out)
     finally:

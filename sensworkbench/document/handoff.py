@@ -11,6 +11,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -49,8 +50,9 @@ def run(argv: Sequence[str]) -> int:
     """Run `python -m sensworkbench ARGV` inside FreeCAD, with the user's own add-ons; returns its exit status."""
     program = freecadcmd()
     shared = os.name == "posix"  # elsewhere a child cannot be given streams, and FreeCAD's chatter stays in between
-    streams = [os.dup(stream.fileno()) for stream in _streams()] if shared else []
-    job = {"argv": [str(a) for a in argv], "root": str(ROOT), "streams": streams}
+    streams = list(_streams()) if shared else []
+    heard, told = os.pipe() if shared else (-1, -1)  # through which the verb says that it is FreeCAD that runs it
+    job = {"argv": [str(a) for a in argv], "root": str(ROOT), "streams": streams, "answer": told}
     script = Path(__file__).with_name("inside.py")
     environment = dict(os.environ, SENS_HANDOFF=json.dumps(job), SENS_HANDOFF_SCRIPT=str(script))
     try:
@@ -58,11 +60,18 @@ def run(argv: Sequence[str]) -> int:
             status = subprocess.run(
                 [program, "-c", CODE],
                 env=environment,
-                pass_fds=streams,
+                pass_fds=[*streams, told] if shared else (),
                 stdin=subprocess.DEVNULL,
                 stdout=chatter if shared else None,
                 stderr=chatter if shared else None,
             ).returncode
+            if status == -signal.SIGINT:
+                raise KeyboardInterrupt
+            if shared and status in (0, 1, 2, 130):
+                os.close(told)
+                told = -1
+                if not os.read(heard, 1):
+                    raise Refused("freecad-did-nothing", program)
             if status not in (0, 1, 2, 130):
                 chatter.seek(0)
                 tail = chatter.read()[-2000:].decode(errors="replace").strip()
@@ -70,16 +79,21 @@ def run(argv: Sequence[str]) -> int:
                 return 1
             return status
     finally:
-        for stream in streams:
-            os.close(stream)
+        for handle in (*streams, heard, told):
+            if handle >= 0:
+                os.close(handle)
 
 
 def _streams():
-    """Streams with a descriptor: the current ones, or the original ones where those were replaced."""
+    """Descriptors of the current streams, of the original ones where those were replaced, else of nowhere."""
     for now, original in ((sys.stdout, sys.__stdout__), (sys.stderr, sys.__stderr__)):
-        now.flush()
-        try:
-            now.fileno()
-        except (AttributeError, OSError, ValueError):
-            now = original
-        yield now
+        for stream in (now, original):
+            try:
+                stream.flush()
+                handle = os.dup(stream.fileno())
+                break
+            except (AttributeError, OSError, ValueError):  # closed, or no file
+                continue
+        else:
+            handle = os.open(os.devnull, os.O_WRONLY)
+        yield handle
