@@ -7,6 +7,7 @@ Importing it imports neither numpy nor FreeCAD.
 from __future__ import annotations
 
 import argparse
+import contextlib
 import importlib
 import math
 import os
@@ -19,10 +20,17 @@ DONE, DEFECT, REFUSED, INTERRUPTED = 0, 1, 2, 130
 
 
 # -- types of arguments ------------------------------------------------------------------------------------------------
+def _number(text: str) -> float:
+    """A number as people write it: Python alone would take 1_000."""
+    if "_" in text:
+        raise ValueError(text)
+    return float(text)
+
+
 def triple(text: str) -> tuple[float, float, float]:
     """Three finite numbers `X,Y,Z`."""
     try:
-        values = tuple(float(v) for v in text.split(","))
+        values = tuple(_number(v) for v in text.split(","))
     except ValueError:
         values = ()
     if len(values) != 3:
@@ -35,7 +43,7 @@ def triple(text: str) -> tuple[float, float, float]:
 def numbers(text: str) -> tuple[float, ...]:
     """Finite numbers `A,B,...`, one per joint of a machine."""
     try:
-        values = tuple(float(v) for v in text.split(","))
+        values = tuple(_number(v) for v in text.split(","))
     except ValueError:
         raise argparse.ArgumentTypeError(f"{text!r} is not numbers A,B,...") from None
     if not all(math.isfinite(v) for v in values):
@@ -46,7 +54,7 @@ def numbers(text: str) -> tuple[float, ...]:
 def counts(text: str):
     """A number of positions, `N` (an int), or one per joint `N,N,...` (a tuple)."""
     try:
-        values = [int(v) for v in text.split(",")]
+        values = [0 if "_" in v else int(v) for v in text.split(",")]
     except ValueError:
         values = []
     if not values or any(not 1 <= v <= 10**6 for v in values):
@@ -77,7 +85,7 @@ def whole(text: str) -> int:
 def positive(text: str) -> float:
     """A finite number above zero."""
     try:
-        value = float(text)
+        value = _number(text)
     except ValueError:
         value = 0.0
     if not 0 < value < 1e9:
@@ -155,6 +163,17 @@ def keep_inputs(out, *inputs) -> None:
     for given in inputs:
         if same_file(out, given):
             raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
+
+
+@contextlib.contextmanager
+def rows_of(path):
+    """Put the name of a table before a refusal of the block that names a line only."""
+    try:
+        yield
+    except Refused as refused:
+        if not refused.where.startswith("line "):
+            raise
+        raise refused.at(str(path)) from None
 
 
 def say(text: str, stream=None) -> None:

@@ -3,15 +3,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-
-import numpy as np
+from dataclasses import dataclass
 
 from ..closedloop import plan_advice
 from ..closedloop.plan import Plan
-from ..closedloop.readings import Finding, Readings
+from ..closedloop.readings import Readings
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from .places import within_travel
 
 FEWEST, MOST = 30, 100_000  # readings of a suggested plan
 
@@ -57,14 +56,3 @@ def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest
         suggested = Plan(machine, plan_advice.suggest(machine, request.suggest, noise, readings, request.seed))
     advice = plan_advice.advise(plan or suggested, request.seed)
     return PlanResult(machine, request.noise_um, plan, advice, suggested)
-
-
-def within_travel(machine: Machine, readings: Readings) -> Readings:
-    """The plan with a warning where the joints cannot go there."""
-    low, high = machine.travel.T
-    outside = np.flatnonzero(((readings.q < low - 1e-6) | (readings.q > high + 1e-6)).any(axis=1))
-    if not len(outside):
-        return readings
-    line = int(readings.line[outside[0]]) if readings.line is not None else 0
-    text = f"{len(outside)} places lie outside the travel of the machine, the first in line {line}"
-    return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))

@@ -10,6 +10,7 @@ import numpy as np
 from ..closedloop import predict
 from ..closedloop.readings import Readings
 from ..core.machine import Machine
+from .places import within_travel
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,9 @@ class PredictResult:
 
 
 def predict_study(machine: Machine, positions: Readings, request: PredictRequest = PredictRequest()) -> PredictResult:
-    """The error of a fitted machine at `positions`.  Refuses a machine without fitted errors, and missing columns."""
+    """The error of a fitted machine at `positions`.  Refuses a machine without fitted errors, missing columns,
+    and positions that cannot be those of the machine.
+    """
+    within_travel(machine, positions)
     error = predict.predict(machine, positions, alignment=request.alignment)
     return PredictResult(error, predict.extrapolated(machine, positions))

@@ -16,6 +16,7 @@ from ..core.errors import component
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.synthesis import omega
+from .places import within_travel
 
 FEWEST, MOST = 199, 9999  # permutations
 SHORT_ARM = 1 / 3  # of the longest column of Omega: readings below it say little about a component
@@ -38,11 +39,12 @@ def trace_study(
     """What the readings show that the declared model lacks.
 
     progress : called with the part that is done, 0 to 1; a false answer cancels.  Refuses a number of permutations
-    that is out of range, and readings that are too few.
+    that is out of range, readings that are too few, and positions that cannot be those of the machine.
     """
     if not FEWEST <= request.permutations <= MOST:
         count = request.permutations
         raise Refused("trace-permutations", "--permutations", count=count, least=FEWEST, most=MOST)
+    readings = within_travel(machine, readings)
     return trace(machine, readings, seed=request.seed, permutations=request.permutations, progress=progress)
 
 

@@ -10,8 +10,11 @@ import numpy as np
 import pytest
 
 from sensworkbench import cli
+from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import json_text, readings_conventions, readings_csv
+from sensworkbench.formats import json_text, machine_json, readings_conventions, readings_csv
+from sensworkbench.formats.exchange import etalon, fcm, isg
+from sensworkbench.studies.places import within_travel
 
 from .support import golden, write
 
@@ -206,3 +209,81 @@ def test_both_parsers_of_json_agree():
     place = json_text.parse('{"a": [1,\n2,\n{"b":\n5}]}', "t")
     assert place["a"].elements()[2]["b"].where == "t, line 3, a[2].b"
     assert place["a"].elements()[1].where == "t, line 2, a[1]"
+
+
+# -- tables and machines of other systems ------------------------------------------------------------------------------
+ISG = "X EXX\n-200 0\n0 0.001\n200 {}\n"
+ETALON = "[EXX]\nGridpoints = {{\n-200 0\n200 {}\n}}\n"
+
+
+@pytest.mark.parametrize("value", ["1_0", "nan", "inf", "1e308", "-1e308", 5000 * "9", 3000 * "a"])
+@pytest.mark.parametrize(("module", "text"), [(isg, ISG), (etalon, ETALON)], ids=["isg", "etalon"])
+def test_numbers_of_other_systems_are_read_as_a_person_would(module, text, value):
+    assert module.loads(text.format("0.002"), "t").tables
+    with pytest.raises(Refused) as refused:
+        module.loads(text.format(value), "t")
+    assert len(refused.value.message) <= 300 and "line 4" in refused.value.where
+
+
+AXIS = {"type": "linear", "role": "head_linear", "joint": {"origin": [0, 0, 0], "axis": [1, 0, 0]}}
+DIRECTIONS = {"X": [1, 0, 0], "Y": [0, 1, 0], "Z": [0, 0, 1]}
+
+
+def fcm_text(change) -> str:
+    axes = {
+        k: AXIS | {"joint": {"origin": [0, 0, 0], "axis": d}, "sequence": i}
+        for i, (k, d) in enumerate(DIRECTIONS.items())
+    }
+    data = {"machine": {"name": "m", "axes": axes}, "version": 1}
+    change(data["machine"])
+    return json.dumps(data)
+
+
+CHANGES = {
+    "limits are a number": lambda m: m["axes"]["X"].update(limits=5),
+    "limits are null": lambda m: m["axes"]["X"].update(limits=None),
+    "a role is a list": lambda m: m["axes"]["X"].update(role=[]),
+    "a role is an object": lambda m: m["axes"]["X"].update(role={}),
+    "units are a list": lambda m: m.update(units=[]),
+    "an axis twice": lambda m: m["axes"].update(x=m["axes"]["X"]),
+    "a travel out of this world": lambda m: m["axes"]["X"].update(limits={"min": -1e308, "max": 1e308}),
+    "an origin out of this world": lambda m: m["axes"]["X"].update(joint={"origin": [1e308, 0, 0], "axis": [1, 0, 0]}),
+    "a long axis": lambda m: m["axes"]["X"].update(joint={"origin": [0, 0, 0], "axis": [1e308, 1e308, 0]}),
+    "a parent of itself": lambda m: m["axes"]["X"].update(parent=["X"]),
+    "a sequence out of this world": lambda m: m["axes"]["X"].update(sequence=1e308),
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_spoiled_machine_of_another_system_is_refused_or_read(change):
+    try:
+        machine, _ = fcm.loads(fcm_text(CHANGES[change]), "m.fcm")
+    except Refused as refused:
+        assert len(refused.message) <= 300
+    else:
+        assert change in ("a parent of itself", "a sequence out of this world")
+        assert np.isfinite(machine.travel).all()
+
+
+# -- places that cannot be those of the machine ------------------------------------------------------------------------
+@pytest.mark.parametrize("factor", [10, 25.4, 1000])
+def test_positions_in_another_unit_are_refused(tmp_path, capsys, factor):
+    machine = write(tmp_path / "m.json", golden(fitted=FITTED))
+    rng = np.random.default_rng(1)
+    q = rng.uniform((-300, -200, -250), (300, 200, 50), (60, 3)) * factor
+    lines = ["x_mm,y_mm,z_mm,ex_um,ey_um,ez_um", *(",".join(f"{v:.4f}" for v in (*row, 1, 2, 3)) for row in q)]
+    path = table(tmp_path, "\n".join(lines) + "\n")
+    for words in (["trace"], ["predict"], ["plan"]):
+        assert cli.main([*words, str(machine), str(path), "--out", str(tmp_path / "o")]) == 2
+        said = capsys.readouterr().err
+        assert "times as far" in said and "line 2" in said and "p.csv" in said and len(said) < 300 + len(str(path))
+    assert not (tmp_path / "o").exists()
+
+
+def test_some_positions_outside_are_only_said():
+    machine = machine_json.loads(json.dumps(golden()), "m.json")
+    q = np.zeros((10, 3))
+    q[:3] = 5000
+    none = np.empty(0, dtype=int)
+    rows = Readings(q=q, point=none, sense=np.empty((0, 3)), value=np.empty(0), u=np.empty(0), kind=none, columns={})
+    assert [f.code for f in within_travel(machine, rows).findings] == ["outside-travel"]

@@ -41,7 +41,8 @@ def run(arguments) -> int:
     try:
         machine = common.load_machine(arguments.machine)
         request = PlanRequest(arguments.noise, arguments.suggest, arguments.seed)
-        study = plan_study(machine, readings, request)
+        with common.rows_of(arguments.positions):
+            study = plan_study(machine, readings, request)
     except Refused as refused:
         if refused.where == "plan" and arguments.positions is not None:
             raise Refused(refused.what, arguments.positions, refused.do) from None

@@ -33,13 +33,16 @@ def run(arguments) -> int:
     readings = readings_csv.load(arguments.readings, common.mapping(arguments))
     request = TraceRequest(arguments.seed, arguments.permutations)
     if not common.is_document(arguments.machine):
-        outcome = trace_study(machine_json.load(arguments.machine), readings, request)
+        machine = machine_json.load(arguments.machine)
+        with common.rows_of(arguments.readings):
+            outcome = trace_study(machine, readings, request)
         paths = study_files.write_trace(arguments.out, outcome)
     else:
         batch = common.batch()
         machine, opened = batch.load_machine(arguments.machine)
         with opened:
-            outcome = trace_study(machine, readings, request)
+            with common.rows_of(arguments.readings):
+                outcome = trace_study(machine, readings, request)
 
             def add_document(work, augmented):
                 batch.write_augmented(opened, work / AUGMENTED, augmented)

@@ -14,7 +14,9 @@ import numpy as np
 from sensworkbench.closedloop.readings import Finding
 from sensworkbench.core.refusal import Refused
 
+from ..json_text import short
 from . import parameters
+from .numbers import finite
 from .tables import ErrorTable, ErrorTables
 
 _BLOCK = re.compile(r"\[\s*(\w+)\s*\]$")
@@ -28,7 +30,9 @@ def loads(text: str, source: str = "Etalon file") -> ErrorTables:
     for name, line, value, rows in _blocks(text, source):
         kind = parameters.kind(name)
         if kind == "unknown":
-            raise Refused(f"unknown parameter {name!r}", f"{source}, line {line}", "Use ISO 230-1 names such as EXX.")
+            raise Refused(
+                f"unknown parameter {short(name)}", f"{source}, line {line}", "Use ISO 230-1 names such as EXX."
+            )
         if kind in ("rotary", "kinematic"):
             what = "belongs to a rotary axis" if kind == "rotary" else "describes kinematics"
             findings.append(Finding("warning", "parameter-ignored", f"{name} {what}: not used", line))
@@ -41,7 +45,7 @@ def loads(text: str, source: str = "Etalon file") -> ErrorTables:
             functions.append(ErrorTable(name, (name[2],), points[:, None], values))
         else:
             wanted = "Gridpoints" if kind == "function" else "VALUE"
-            raise Refused(f"[{name}] has no {wanted}", f"{source}, line {line}", f"Give {wanted}.")
+            raise Refused(f"[{name[:20]}] has no {wanted}", f"{source}, line {line}", f"Give {wanted}.")
     if not functions and not constants:
         raise Refused("the file holds no error of a linear axis", source, "Is it an Etalon exchange file?")
     angles, notes = parameters.squareness_of(constants)
@@ -61,12 +65,14 @@ def _blocks(text: str, source: str):
         if block and not inside:
             name = block.group(1).upper()
             if name in found:
-                raise Refused(f"[{name}] stands twice", where, "Keep one.")
+                raise Refused(f"[{name[:20]}] stands twice", where, "Keep one.")
             current = found[name] = [name, number, None, []]
         elif current is None:
-            raise Refused(f"{bare!r} stands before the first [parameter]", where, "Begin with a block such as [EXX].")
+            raise Refused(
+                f"{short(bare)} stands before the first [parameter]", where, "Begin with a block such as [EXX]."
+            )
         elif value and not inside:
-            current[2] = _number(value.group(1), where)
+            current[2] = finite(value.group(1), where)
         elif grid and not inside:
             inside, bare = True, grid.group(1)
             inside = _rows(bare, current[3], where)
@@ -75,7 +81,7 @@ def _blocks(text: str, source: str):
         elif current[0] in found and parameters.kind(current[0]) in ("rotary", "kinematic", "unknown"):
             continue
         else:
-            raise Refused(f"{bare!r} is neither VALUE nor Gridpoints", where)
+            raise Refused(f"{short(bare)} is neither VALUE nor Gridpoints", where, "Write one of these.")
     if inside:
         raise Refused("the file ends inside Gridpoints", source, "Close it with }.")
     return [tuple(b) for b in found.values()]
@@ -85,23 +91,13 @@ def _rows(text: str, rows: list, where: str) -> bool:
     """Add "position value" to `rows`; False once the closing brace has come."""
     body, brace, rest = text.partition("}")
     if rest.strip():
-        raise Refused(f"{rest.strip()!r} behind the closing brace", where, "Begin a new line.")
+        raise Refused(f"{short(rest.strip())} behind the closing brace", where, "Begin a new line.")
     cells = body.replace(",", " ").split()
     if cells:
         if len(cells) != 2:
-            raise Refused(f"{body.strip()!r} is not a position and a value", where, "Write two numbers.")
-        rows.append((_number(cells[0], where), _number(cells[1], where)))
+            raise Refused(f"{short(body.strip())} is not a position and a value", where, "Write two numbers.")
+        rows.append((finite(cells[0], where), finite(cells[1], where)))
     return not brace
-
-
-def _number(text: str, where: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        raise Refused(f"{text!r} is not a number", where) from None
-    if not np.isfinite(value):
-        raise Refused(f"{text} is not finite", where, "Give a finite number.")
-    return value
 
 
 def dumps(tables: ErrorTables, title: str = "") -> str:

@@ -19,7 +19,7 @@ from sensworkbench.core.errors import AXES
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
-from ..json_text import Place, parse
+from ..json_text import Place, parse, short
 
 UNITS = ("metric", "imperial")
 IDENTITY = ([0, 0, 0], [0, 0, 0, 1])
@@ -38,7 +38,7 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
         raise place.refuse("the machine has no axes", "Save it from the machine editor of CAM.")
     units = place.value.get("units", "metric")
     if units not in UNITS:
-        raise place["units"].refuse(f"units {units!r} are unknown", 'Use "metric" or "imperial".')
+        raise place["units"].refuse(f"units {short(units)} are unknown", 'Use "metric" or "imperial".')
     findings = []
     if units == "imperial":
         text = "imperial units are only how CAM shows them: lengths in the file are read as mm, as CAM stores them"
@@ -49,6 +49,8 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
     for name, entry in place["axes"].members():
         if not isinstance(entry.value, dict):
             raise entry.refuse("an axis is an object")
+        if name.upper() in parents:
+            raise entry.refuse(f"axis {short(name)} stands twice, in capital and small letters", "Keep one.")
         parents[name.upper()] = _parent(entry)
         if entry.value.get("type", "linear") != "linear":
             findings.append(Finding("warning", "axis-ignored", f"axis {name} is rotary: it stays where it is"))
@@ -92,10 +94,12 @@ def _parent(entry: Place) -> str | None:
 
 def _axis(name: str, entry: Place) -> dict:
     role = entry.value.get("role", "table_linear")
-    if role not in ROLES:
-        raise entry["role"].refuse(f"role {role!r} is not that of a linear axis", f"Use {' or '.join(ROLES)}.")
+    if not isinstance(role, str) or role not in ROLES:
+        raise entry["role"].refuse(f"role {short(role)} is not that of a linear axis", f"Use {' or '.join(ROLES)}.")
     origin, direction = _joint(entry)
     limits = entry["limits"] if "limits" in entry else None
+    if limits is not None and not isinstance(limits.value, dict):
+        raise limits.refuse(f"{short(limits.value)} are no limits", 'Give {"min": ..., "max": ...} in mm.')
     low = limits["min"].number() if limits is not None and "min" in limits else 0.0
     high = limits["max"].number() if limits is not None and "max" in limits else 1000.0
     if not low < high:

@@ -13,7 +13,9 @@ import numpy as np
 from sensworkbench.closedloop.readings import Finding
 from sensworkbench.core.refusal import Refused
 
+from ..json_text import short
 from . import parameters
+from .numbers import finite
 from .tables import ErrorTable, ErrorTables
 
 ARGUMENTS = "XYZABC"
@@ -50,7 +52,7 @@ def _read_block(block, source, functions, constants, findings, seen) -> None:
     arguments = [n for n in names if len(n) == 1 and n in ARGUMENTS]
     for n in names:
         if n not in arguments and parameters.kind(n) == "unknown":
-            raise Refused(f"unknown parameter {n!r}", f"{source}, line {head}", "Use ISO 230-1 names such as EXX.")
+            raise Refused(f"unknown parameter {short(n)}", f"{source}, line {head}", "Use ISO 230-1 names such as EXX.")
         if names.count(n) > 1:
             raise Refused(f"column {n!r} stands twice", f"{source}, line {head}", "Keep one.")
     if len(block) == 1:
@@ -85,13 +87,7 @@ def _read_block(block, source, functions, constants, findings, seen) -> None:
 def _numbers(cells, count: int, where: str) -> list[float]:
     if len(cells) != count:
         raise Refused(f"{len(cells)} values under {count} names", where, "Every row needs one value per column.")
-    try:
-        values = [float(c) for c in cells]
-    except ValueError:
-        raise Refused(f"{' '.join(cells)!r} are not numbers", where) from None
-    if not np.isfinite(values).all():
-        raise Refused("a value is not finite", where, "Give finite numbers.")
-    return values
+    return [finite(c, where) for c in cells]
 
 
 def dumps(tables: ErrorTables, title: str = "") -> str:
