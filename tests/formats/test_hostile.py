@@ -30,9 +30,9 @@ def table(tmp_path, text):
 @pytest.mark.parametrize("comment", ["# a" + 100_000 * " " + "x", "# " + 100_000 * "a ", "#" + 100_000 * " :"])
 def test_a_long_comment_takes_no_time(tmp_path, comment):
     path = table(tmp_path, comment + "\n" + POSITIONS)
-    start = time.perf_counter()
+    start = time.process_time()
     assert readings_csv.load_positions(path).points == 2
-    assert time.perf_counter() - start < 1
+    assert time.process_time() - start < 1
 
 
 @pytest.mark.parametrize(
@@ -135,19 +135,19 @@ def test_the_finite_prediction_is_written(tmp_path, capsys):
 def test_a_table_of_thirty_thousand_columns_is_read_in_time(tmp_path):
     names = ["x_mm", "y_mm", "z_mm", *(f"c{i}" for i in range(30_000))]
     path = table(tmp_path, "\n".join(",".join(row) for row in (names, ["1"] * len(names), ["2"] * len(names))))
-    start = time.perf_counter()
+    start = time.process_time()
     assert len(readings_csv.load_positions(path).columns) == 30_003
-    assert time.perf_counter() - start < 20
+    assert time.process_time() - start < 20
 
 
 def test_the_time_for_a_table_grows_with_its_size(tmp_path):
     took = []
     for count in (20_000, 200_000):
         path = table(tmp_path, "x_mm,y_mm,z_mm\n" + count * "1,2,3\n")
-        start = time.perf_counter()
+        start = time.process_time()
         assert readings_csv.load_positions(path).points == count
-        took.append(time.perf_counter() - start)
-    assert took[1] < 30 * took[0] + 0.5
+        took.append(time.process_time() - start)
+    assert took[1] < 30 * took[0] + 1
 
 
 @pytest.mark.parametrize(
@@ -186,7 +186,7 @@ LARGE = {
 
 @pytest.mark.parametrize("case", LARGE)
 def test_a_large_json_text_takes_seconds_and_a_fault_in_it_has_a_line(case):
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         json_text.parse(LARGE[case], "large.json")
     except Refused as refused:
@@ -195,7 +195,7 @@ def test_a_large_json_text_takes_seconds_and_a_fault_in_it_has_a_line(case):
         assert len(refused.message) <= 300
     else:
         assert case == "a list"
-    assert time.perf_counter() - start < 10
+    assert time.process_time() - start < 10
 
 
 def test_both_parsers_of_json_agree():

@@ -54,19 +54,19 @@ DOCUMENTS = {
 @pytest.mark.parametrize("case", DOCUMENTS)
 def test_a_hostile_document_is_refused_in_time(tmp_path, case):
     path = packed(tmp_path / "d.FCStd", DOCUMENTS[case])
-    start = time.perf_counter()
+    start = time.process_time()
     with pytest.raises(Refused) as refused:
         archive.read_contents(path)
     assert refused.value.code in ("document-not-one", "document-too-large")
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
 
 
 def test_a_long_token_takes_no_more_than_its_size(tmp_path):
     text = b"<Document><!--" + bytes(range(48, 58)) * 2_000_000 + b"--></Document>"
     path = packed(tmp_path / "d.FCStd", {"Document.xml": text}, zipfile.ZIP_STORED)
-    start = time.perf_counter()
+    start = time.process_time()
     assert archive.read_contents(path).types == {}
-    assert time.perf_counter() - start < 5
+    assert time.process_time() - start < 5
 
 
 @pytest.mark.parametrize("data", [b"", b"PK\3\4", GOOD.read_bytes()[:9_000], damaged()], ids=range(4))
