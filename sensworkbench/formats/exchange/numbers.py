@@ -20,6 +20,8 @@ def finite(text: str, where: str) -> float:
         value = float(text)
     except ValueError:
         raise Refused("cell-not-a-number", where, cell=short(text)) from None
-    if not math.isfinite(value) or abs(value) > LARGEST:
+    if not math.isfinite(value):
+        raise Refused("cell-not-finite", where, cell=short(text))
+    if abs(value) > LARGEST:
         raise Refused("number-too-large", where, value=short(text), column="mm, rad", limit=LARGEST, unit="mm")
     return value
