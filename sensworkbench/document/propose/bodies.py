@@ -192,7 +192,9 @@ def adopt(
     pulls: dict[int, dict[int, float]] = {}
     for touch in found.contacts:
         a, b = touch.one[0], touch.other[0]
-        weight = max(touch.area, 1.0)
+        weight = touch.area + 1.0
+        if not touch.touches:  # castings that stand in one another
+            weight += touch.overlap * min(units[a].size, units[b].size) ** 2 * 0.2
         pulls.setdefault(a, {})[b] = pulls.get(a, {}).get(b, 0.0) + weight
         pulls.setdefault(b, {})[a] = pulls.get(b, {}).get(a, 0.0) + weight
     for bond in document.bonds:

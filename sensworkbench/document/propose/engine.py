@@ -79,6 +79,8 @@ class Found:
     seconds: float = 0.0
     document: Document | None = None
     state: object = None  # for `again`
+    up: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
+    lathe: bool = False
 
 
 @dataclass
@@ -196,6 +198,7 @@ def weigh(state: _State, answers=None) -> Found:
     if _no_serial(state, made, answers):
         return made
     up = _up(state, places, answers)
+    made.up, made.lathe = up, said.lathe
     reading = _as_told(state, _best(state, places, up, answers), answers)
     if reading is None:
         _ask_bodies(made, state)
@@ -368,6 +371,8 @@ def _by_guides(state: _State, places, up, answers) -> Reading | None:
     used = grouping.separate(document, used_graph, state.guides)
     numbers = [n for n in range(len(document.units)) if n not in state.minor]
     parts = grouping.components(used_graph, numbers)
+    _gather(parts, used)
+    _join_islands(document, parts, used, state.found)
     owner = {n: b for b, body in enumerate(parts) for n in body}
     edges: dict[tuple[int, int], Link] = {}
     for guide in used:
@@ -385,6 +390,71 @@ def _by_guides(state: _State, places, up, answers) -> Reading | None:
     keep = [any(b in pair for pair in edges) for b in range(len(parts))]
     far = grouping.adopt(document, parts, keep, state.found, state.minor, state.size)
     return _rooted(state, parts, edges, places, up, answers, "guides", far)
+
+
+def _gather(parts: list[set[int]], used) -> None:
+    """A block or nut that nothing else touches goes with what runs next to it on the same guide."""
+    busy: dict[int, int] = {}
+    for guide in used:
+        for n in guide.rails | guide.riders:
+            busy[n] = busy.get(n, 0) + 1
+    for guide in used:
+        riders = [b for b, body in enumerate(parts) if body & guide.riders]
+        lone = [b for b in riders if parts[b] <= guide.riders and all(busy[n] == 1 for n in parts[b])]
+        if len(riders) < 2 or not lone:
+            continue
+        homes = [b for b in riders if b not in lone] or lone[:1]
+        for b in lone:
+            if b in homes:
+                continue
+            low, high = _span(guide, parts[b])
+
+            def away(home, low=low, high=high, guide=guide):
+                start, end = _span(guide, parts[home])
+                return max(start - high, low - end, 0.0)
+
+            home = min(homes, key=away)
+            parts[home] |= parts[b]
+            parts[b] = set()
+    parts[:] = [body for body in parts if body]
+
+
+def _join_islands(document: Document, parts: list[set[int]], used, found) -> None:
+    """Castings that stand in one another without a common face: the bodies that overlap most are one."""
+    for _ in range(12):
+        owner = {n: b for b, body in enumerate(parts) for n in body}
+        links = grouping.Graph()
+        for guide in used:
+            rail = _most([owner[n] for n in guide.rails if n in owner])
+            for rider in {owner[n] for n in guide.riders if n in owner}:
+                links.add(rail, rider, 1.0)
+        island = {}
+        for b in list(links.edges):
+            if b not in island:
+                for c in links.reach([b]):
+                    island[c] = b
+        best = None
+        for touch in found.contacts:
+            a, b = owner.get(touch.one[0]), owner.get(touch.other[0])
+            if a is None or b is None or island.get(a) == island.get(b) or a not in island or b not in island:
+                continue
+            one, other = document.units[touch.one[0]], document.units[touch.other[0]]
+            if {one.hardware, other.hardware} & {"loose", "fastener", "screw"}:
+                continue
+            score = touch.overlap * min(one.size, other.size) + touch.area**0.5
+            if best is None or score > best[0]:
+                best = (score, a, b)
+        if best is None:
+            return
+        _, a, b = best
+        parts[a] |= parts[b]
+        parts[b] = set()
+    parts[:] = [body for body in parts if body]
+
+
+def _span(guide, body) -> tuple[float, float]:
+    slides = [s for s in guide.slides if s.rider[0] in body]
+    return min(s.low for s in slides), max(s.high for s in slides)
 
 
 def _most(values):

@@ -109,9 +109,10 @@ class Looker:
         if len(groups) > MOST_SKINS:
             groups = sorted(groups, key=len, reverse=True)[:MOST_SKINS]
         total = sum(map(len, groups))
-        step = max(1, -(-total // MOST_FACES))
-        end = min(self.until, time.monotonic() + SECONDS)
-        found = [_solid([faces[i] for i in group], step if len(group) > 40 else 1, end) for group in groups]
+        share = max(1, -(-total // (8 * MOST_FACES)))  # of a lump of many solids
+        end = min(self.until, time.monotonic() + SECONDS * (1 + min(5.0, 0.2 * len(groups))))
+        steps = [max(share if len(group) > 40 else 1, -(-len(group) // MOST_FACES)) for group in groups]
+        found = [_solid([faces[i] for i in group], step, end) for group, step in zip(groups, steps)]
         return [s for s in found if s is not None]
 
 

@@ -111,7 +111,9 @@ def touching(document: Document, axes: np.ndarray, minor: set[int], size: float,
     if not flat:
         return found
     solids = [units[n].solids[k] for n, k in flat]
-    pairs = near_pairs(np.array([s.box for s in solids]), np.array([n for n, _ in flat]), PLAY)
+    plays = [_play(s, units[n].hardware, size) for s, (n, _) in zip(solids, flat)]
+    reach = max(PLAY, *plays)
+    pairs = near_pairs(np.array([s.box for s in solids]), np.array([n for n, _ in flat]), reach)
     pairs.sort(key=lambda p: -min(_diagonal(solids[p[0]]), _diagonal(solids[p[1]])))
     for number, (i, j) in enumerate(pairs):
         if number % 50 == 0 and (watch(number, len(pairs)) or time.monotonic() > until):
@@ -122,6 +124,11 @@ def touching(document: Document, axes: np.ndarray, minor: set[int], size: float,
         loose = bool(kinds & RAILS and kinds & RIDERS)
         wheeled = "wheel" in kinds
         touch = contact(solids[i], solids[j], one, other, PLAY if loose or wheeled else TOUCH)
+        play = max(plays[i], plays[j])
+        if (touch is None or not touch.touches) and play > TOUCH and not kinds & RIGID:
+            near = contact(solids[i], solids[j], one, other, play)
+            if near is not None and near.touches:
+                _slides(units, near, solids[i], solids[j], axes, size, found)
         if touch is None:
             continue
         found.contacts.append(touch)
@@ -152,6 +159,13 @@ def _between_units(units, axes, size: float, found: Touching) -> None:
             best = max((s for s in options if s is not None), key=lambda s: s.weight, default=None)
             if best is not None and best.kind != "screw":
                 found.slides.append(best)
+
+
+def _play(solid, hardware: str, size: float) -> float:
+    """How far from a bar something may stand that runs on it: makers' models leave a gap where the balls are."""
+    if hardware not in ("", "rail") or not shape_of(solid, size)[0]:
+        return 0.0
+    return max(PLAY, 0.12 * float(np.sort(solid.size)[1]))
 
 
 def _diagonal(solid) -> float:
