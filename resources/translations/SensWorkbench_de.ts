@@ -104,9 +104,9 @@
       <translation>Baugruppe</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/display.py" />
-      <source>At X {x}, Y {y}, Z {z} mm</source>
-      <translation>Bei X {x}, Y {y}, Z {z} mm</translation>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>At {positions} mm</source>
+      <translation>Bei {positions} mm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2317,6 +2317,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>workpiece, shift along {axis}</source>
       <translation>Werkstück, Verschiebung in {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>{axis} carriage</source>
+      <translation>{axis}-Schlitten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

@@ -104,9 +104,9 @@
       <translation>조립체</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/display.py" />
-      <source>At X {x}, Y {y}, Z {z} mm</source>
-      <translation>위치 X {x}, Y {y}, Z {z} mm</translation>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>At {positions} mm</source>
+      <translation>위치 {positions} mm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2317,6 +2317,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>workpiece, shift along {axis}</source>
       <translation>공작물, {axis} 방향 이동</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>{axis} carriage</source>
+      <translation>{axis} 이송체</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

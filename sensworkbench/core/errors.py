@@ -79,7 +79,7 @@ class Component:
         """What it is, in English."""
         along = AXES[self.axis]
         if self.kind == SQUARENESS:
-            return f"squareness of {self.body} to {_square_to(self)}"
+            return f"squareness of {self.body} to {square_to(self)}"
         if self.line:
             return f"{self.kind} of {self.body} {'about' if self.angular else 'along'} {along}"
         if self.body == "W":
@@ -93,7 +93,7 @@ class Component:
         return f"positioning of {self.body}" if own else f"straightness of {self.body} along {along}"
 
 
-def _square_to(c: Component) -> str:
+def square_to(c: Component) -> str:
     """The axis to which a squareness is measured: square to the joint's own and to the axis of the tilt."""
     return AXES[3 - c.axis - c.along]
 

@@ -8,7 +8,9 @@ objects is in `tree`.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
+from ..core.distributions import with_defaults
 from ..core.effects import Effect
 from ..core.errors import AXES, component
 from ..core.joints import check_name
@@ -112,6 +114,12 @@ def make_tolerances(machine):
 def set_tolerances(machine, tolerances, units=None) -> None:
     """`tables.write_tolerances` to the machine's table, made where there is none."""
     write_tolerances(tolerances_of(machine) or make_tolerances(machine), tolerances, units, _core(machine))
+
+
+def with_usual(machine, tolerances: dict) -> dict:
+    """`tolerances` (symbol -> Tolerance), and the usual ones for the other errors of a machine."""
+    core = _core(machine)
+    return with_defaults(tolerances) if core is None else replace(core, tolerances=tolerances).all_tolerances
 
 
 def _core(machine):

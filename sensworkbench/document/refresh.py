@@ -6,6 +6,7 @@ Only output properties are written, so a recompute never causes another one; pla
 
 from __future__ import annotations
 
+from ..core.errors import COMPONENTS, Component
 from ..messages import Refused
 from .base import alive, members, put
 from .extract import Survey, survey
@@ -79,6 +80,14 @@ def latest(machine) -> Survey:
     if kept is not None and not any("Touched" in o.State for o in (machine, *machine.OutListRecursive)):
         return kept
     return survey(machine)
+
+
+def components(machine) -> dict[str, Component]:
+    """symbol -> error component of a machine; those of axes X, Y, Z where it cannot be computed."""
+    try:
+        return {c.symbol: c for c in latest(machine).core.components}
+    except Refused:
+        return dict(COMPONENTS)
 
 
 def parts_and_index(machine) -> tuple[dict[str, list[Place]], dict[tuple, str]]:

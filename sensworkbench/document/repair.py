@@ -17,7 +17,7 @@ from . import closed_loop, objects, tables
 from .base import SensObject, alive, dress, kind_of, made_by_newer, members, numbers, put
 from .factory import make_tolerances
 from .paths import place, places
-from .refresh import latest, refresh
+from .refresh import components, refresh
 from .tree import bodies, machines, owner_machine, tolerances_of
 
 CLASSES = {
@@ -221,8 +221,8 @@ def _json(obj, name):
 def _symbols(machine) -> set[str]:
     """Names of the errors of axes X, Y, Z, and of the machine where it can be computed."""
     try:
-        return set(COMPONENTS) | {c.symbol for c in latest(machine).core.components}
-    except (Refused, AttributeError):  # no machine, or one that lost its properties
+        return set(COMPONENTS) | set(components(machine))
+    except AttributeError:  # no machine, or one that lost its properties
         return set(COMPONENTS)
 
 

@@ -16,7 +16,7 @@ from .colormap import Scale, automatic
 from .legend import LegendText
 from .looks import COLOUR_BY, VIEW_PROPERTIES
 from .qt import translate
-from .texts import body_name, objective_text, positions_text, square_text
+from .texts import body_name, objective_text, position_words, positions_text, square_text
 
 
 def ready(result) -> bool:
@@ -67,9 +67,7 @@ def legend_text(machine, result) -> LegendText:
 
 def position_legend(machine, totals: dict[str, float], position: dict[str, float]) -> LegendText:
     """The legend while the colours are those of one position."""
-    where = translate("Sens", "At X {x}, Y {y}, Z {z} mm").format(
-        **{k.lower(): f"{v:.1f}" for k, v in position.items()}
-    )
+    where = position_words({name: f"{value:.1f}" for name, value in position.items()})
     marks = tuple((body_name(machine, b), v) for b, v in totals.items())
     lines = (translate("Sens", "Unit: 1 (share of the variance)"), where)
     head = translate("Sens", "Total index Sᵀ of the component")

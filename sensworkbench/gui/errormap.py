@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 from pivy import coin
 
-from ..core.errors import AXES
-from ..document import extract, factory
+from ..document import extract, tree
+from ..document.base import kind_of
 from ..studies.error_map import FINE, map_errors, map_positions
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
@@ -25,13 +25,13 @@ POINTS = MAP_FORMS[0]
 
 
 def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
-    """(P, 3) positions of the axes: a grid over the travel, or a slice with one axis at `at` (mm)."""
-    return map_positions(core, None if form == POINTS else AXES.index(form[-1]), at)
+    """(P, n) positions of the axes: a grid over the travel, or a slice with one axis at `at` (mm)."""
+    return map_positions(core, None if form == POINTS else core.names.index(form[-1]), at)
 
 
 def places(core, q: np.ndarray) -> np.ndarray:
     """(P, 3) the tool point relative to the workpiece at positions q, mm, document coordinates."""
-    return np.array(core.tool_point) + sum(q[:, [i]] * np.array(core.axes[k].direction) for i, k in enumerate(AXES))
+    return core.tool_position(q)
 
 
 def title(objective, what: str) -> str:
@@ -90,13 +90,16 @@ class ErrorMap:
     def show(self, machine, colour_map: str, corner: str, what: str = EXPECTED, form: str = POINTS,
              at: float = 0.0) -> None:  # fmt: skip
         """Compute and draw; what : `MAP_SHOWS`, form : `MAP_FORMS`, at : position of the sliced axis in mm."""
-        stands = [tuple(machine.FunctionalPoint), *(tuple(factory.axis_of(machine, name).Direction) for name in AXES)]
+        axes = [obj for obj in tree.bodies(machine).values() if kind_of(obj) == "Axis"]
+        if form != POINTS and not (len(axes) == 3 and form[-1] in [axis.Axis for axis in axes]):
+            form = POINTS  # a slice is one of three axes
+        stands = [tuple(machine.FunctionalPoint), *(tuple(axis.Direction) for axis in axes)]
         key = (machine.Inputs, shown_unit(machine.Output), *stands, colour_map, what, form, at)
         if key != self._key:
             core, objective = extract.core_machine(machine), extract.objective(machine)
             q = positions(core, form, at)
             if form != POINTS:
-                at = float(q[0, AXES.index(form[-1])])
+                at = float(q[0, core.names.index(form[-1])])
             value = map_errors(core, objective, q, upper=what == WORST)
             self._fill(places(core, q), value, objective, colour_map, what, form, at)
             self._key = key if machine.Inputs else None

@@ -8,15 +8,16 @@ from contextlib import suppress
 import FreeCAD as App
 import Part
 
-from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, factory, geometry, paths, refresh
+from ..document import factory, geometry, paths, refresh, tree
+from ..document.base import kind_of
 from . import state
 from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
 from .qt import translate
 from .texts import body_name
 
 UP = App.Vector(-1, 1, 2)  # upwards on the screen in the isometric view
+OTHER_COLOUR = (0.45, 0.40, 0.15)  # of axes of other names
 BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
 
 
@@ -39,8 +40,8 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
         start = displaced[body].multVec(obj.ReferencePoint)
         offset = obj.AbbeOffset
         name = body_name(machine, body)
-        colour = BODY_COLOURS[body]
-        if body in AXES and detail:
+        colour = BODY_COLOURS.get(body, OTHER_COLOUR)
+        if kind_of(obj) == "Axis" and detail:
             low, high = obj.TravelLower.Value, obj.TravelUpper.Value
             here = obj.Position.Value
             sign = -1 if body in machine.WorkpieceChain else 1
@@ -54,10 +55,10 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text, below=True))
             continue
         found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text if detail else "", below=True))
-        local = [getattr(obj, f"AbbeOffset{k}").Value for k in AXES]
+        local = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"]
         words = translate("Sens", "Abbe offset {name}: {length} mm").format(name=name, length=f"{offset.Length:.1f}")
         if detail:
-            words += "\n" + "   ".join(f"{k.lower()} {v:.1f}" for k, v in zip(AXES, local))
+            words += "\n" + "   ".join(f"{k.lower()} {v:.1f}" for k, v in zip("XYZ", local))
         else:
             words = f"{name}: {offset.Length:.1f} mm"
         found.append(Arrow(tuple(start), tuple(start + offset), OFFSET_COLOUR, words, 0.5))
@@ -67,8 +68,8 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
 def extent(machine) -> float:
     """Return a length that represents the size of the machine, mm."""
     box = App.BoundBox()
-    for body in ("F", *AXES, "T", "W"):
-        for where in extract.parts_of(machine, body):
+    for group in tree.all_parts(machine).values():
+        for where in group:
             for leaf in paths.leaves(where):
                 shape = leaf.shape()
                 if shape is not None and not shape.isNull():
@@ -140,7 +141,7 @@ def outlines(machine, bodies) -> list:
     """The edges of the parts of some bodies as lines, each a list of points (mm, document coordinates)."""
     lines = []
     for body in bodies:
-        for where in extract.parts_of(machine, body):
+        for where in tree.parts_of(machine, body):
             for leaf in paths.leaves(where):
                 shape = leaf.shape()
                 if shape is not None and not shape.isNull():
@@ -167,7 +168,7 @@ def select_parts(machine, bodies) -> None:
 
     Gui.Selection.clearSelection()
     for body in bodies:
-        for where in extract.parts_of(machine, body):
+        for where in tree.parts_of(machine, body):
             Gui.Selection.addSelection(where.root.Document.Name, where.root.Name, where.path)
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from ..core.errors import component
-from ..core.refusal import Refused
+from ..document.refresh import components
 from . import display
 from .bars import BAR, BarDelegate, qcolour
 from .qt import Qt, QtGui, Signal, translate
@@ -26,12 +25,9 @@ class _Item(QtGui.QTreeWidgetItem):
         return self.text(column) < other.text(column)
 
 
-def angular(symbol: str) -> bool:
-    """Whether an error is an angle; False for the name of an effect."""
-    try:
-        return component(symbol).angular
-    except Refused:
-        return False
+def angular(symbol: str, known) -> bool:
+    """Whether an error is an angle; False for the name of an effect.  known : the components of the machine."""
+    return symbol in known and known[symbol].angular
 
 
 # where the values of a row stand: all that may change from one result to the next
@@ -48,7 +44,7 @@ def _rows(machine, result) -> dict[tuple[str, int], list]:
 
     Only traced effects can share a name.
     """
-    scale, shown = display.scale(result), display.values(result)
+    scale, shown, known = display.scale(result), display.values(result), components(machine)
     largest = max(result.Total, default=0.0)
     owners = {o: (body_name(machine, o), tuple(scale.colour(shown.get(o)))) for o in dict.fromkeys(result.Owners)}
     errors = sorted(
@@ -60,7 +56,7 @@ def _rows(machine, result) -> dict[tuple[str, int], list]:
     for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(errors, start=1):
         name, colour = owners[owner]
         tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
-        texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, name, error_meaning(symbol))
+        texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, name, error_meaning(symbol, known))
         tips = [*texts]
         tips[TOLERANCE] += f", {distribution_name(law)}"
         values = [value for pair in zip(texts, tips) for value in pair]

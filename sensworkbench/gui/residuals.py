@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from pivy import coin
 
-from ..core.errors import AXES
 from ..core.refusal import Refused
 from ..document import closed_loop, extract, factory
 from .arrows import Arrow, Arrows
@@ -33,9 +32,8 @@ _SIDES = 8
 
 # -- geometry ----------------------------------------------------------------------------------------------------------
 def places(core, q, tool_offset=None) -> np.ndarray:
-    """(P, 3) mm, document coordinates: the functional point relative to the workpiece at positions q (P, 3)."""
-    point = np.array(core.tool_point) + sum(q[:, [i]] * np.array(core.axes[k].direction) for i, k in enumerate(AXES))
-    return point if tool_offset is None or not len(tool_offset) else point + tool_offset @ core.frame.T
+    """(P, 3) mm, document coordinates: the functional point relative to the workpiece at positions q (P, n)."""
+    return core.tool_position(q, None if tool_offset is None or not len(tool_offset) else tool_offset)
 
 
 def mesh(starts, ends, thickness: float) -> tuple[np.ndarray, np.ndarray]:
@@ -335,5 +333,5 @@ def update(obj) -> None:
     rows = {name: np.array([tuple(v) for v in getattr(obj, name)]) for name in ("Before", "After")}
     where = places(core, *closed_loop.positions_of(obj))
     vectors = {name: rows[name] @ core.frame.T for name in (SHOW_BEFORE, SHOW_AFTER)}
-    directions = np.array([core.axes[k].direction for k in AXES])
+    directions = core.frame.T
     proxy.arrows.show(where, vectors, view.ShowResiduals, directions, view.KeyCorner)

@@ -7,9 +7,12 @@ recolours.
 
 from __future__ import annotations
 
+import itertools
+
 import FreeCAD as App
 
-from ..document import factory
+from ..core.machine import MOST_JOINTS
+from ..document import tree
 from . import display, messages
 from .colormap import MAPS
 from .preferences import (
@@ -33,6 +36,7 @@ def _plain(value):
 
 class Settings(QtGui.QScrollArea):
     """The tab that sets objective, positions and squareness of a machine, and how its result is shown."""
+
     def __init__(self, parent=None):
         super().__init__(parent)
         self.setWidgetResizable(True)
@@ -69,7 +73,7 @@ class Settings(QtGui.QScrollArea):
         self.count = QtGui.QSpinBox()
         self.count.setRange(1, 120)
         self.count.setToolTip(translate("Sens", "Positions per axis"))
-        self.at = [number_box(-1e5, 1e5, 3, 10, " mm") for _ in range(3)]
+        self.at = [number_box(-1e5, 1e5, 3, 10, " mm") for _ in range(MOST_JOINTS)]
         at = QtGui.QHBoxLayout()
         for box in self.at:
             at.addWidget(box, 1)
@@ -177,7 +181,11 @@ class Settings(QtGui.QScrollArea):
                 box.setValue(value)
             write_field(self.aggregate, machine.Aggregate)
             self.count.setValue(machine.Grid if machine.Aggregate == "grid" else machine.Order)
-            for box, value in zip(self.at, machine.At):
+            axes = tree.joint_names(tree.bodies(machine))
+            for box, name in itertools.zip_longest(self.at, axes):
+                box.setVisible(name is not None)
+                box.setPrefix("" if name is None else f"{name} ")
+            for box, value in zip(self.at, machine.At or [0.0] * len(axes)):
                 box.setValue(value)
             write_field(self.squareness, machine.Squareness)
             self._kinds()
@@ -204,7 +212,9 @@ class Settings(QtGui.QScrollArea):
         for field in (self.map_slider, self.map_at):
             field.setEnabled(sliced)
         if sliced:
-            axis = factory.axis_of(self.machine, view.ErrorMapAs[-1])
+            axis = tree.axis_of(self.machine, view.ErrorMapAs[-1])
+            if axis is None:  # a slice along an axis that this machine has not is shown as points
+                return
             low, high = axis.TravelLower.Value, axis.TravelUpper.Value
             self.map_at.setRange(low, high)
             self.map_at.setValue(view.ErrorMapAt.Value)
@@ -237,7 +247,7 @@ class Settings(QtGui.QScrollArea):
                     setattr(machine, name, read_field(field))
             machine.Signed = bool(read_field(self.signed))
             machine.Weights = App.Vector(*[b.value() for b in self.weights])
-            machine.At = [b.value() for b in self.at]
+            machine.At = [b.value() for b in self.at[: len(tree.joint_names(tree.bodies(machine)))]]
             if read_field(self.aggregate) != "at":
                 setattr(machine, "Grid" if read_field(self.aggregate) == "grid" else "Order", self.count.value())
             display.compute_and_colour(machine)

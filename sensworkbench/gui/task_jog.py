@@ -9,7 +9,6 @@ from __future__ import annotations
 import FreeCADGui as Gui
 
 from ..core import workspace
-from ..core.errors import AXES, BODIES
 from ..core.refusal import Refused
 from ..document import drive, extract, factory
 from ..document import jog as moving
@@ -35,8 +34,9 @@ class TaskJog(Panel):
     def __init__(self, machine):
         self.machine = machine
         self.document = machine.Document
-        self.position = dict(zip(AXES, extract.current_position(machine).tolist()))
-        extract.survey(machine)  # refuses before anything is opened
+        found = extract.survey(machine)  # refuses before anything is opened
+        self.position = found.at
+        self.names, self.bodies = found.core.names, found.core.bodies
         self.held = drive.held_by_sliders(machine)
         self.core = None
         self._sized = False
@@ -68,7 +68,7 @@ class TaskJog(Panel):
         grid = QtGui.QGridLayout(box)
         grid.setContentsMargins(0, 0, 0, 0)
         self.sliders, self.numbers = {}, {}
-        for i, name in enumerate(AXES):
+        for i, name in enumerate(self.names):
             axis = factory.axis_of(self.machine, name)
             low, high = axis.TravelLower.Value, axis.TravelUpper.Value
             slider = QtGui.QSlider(Qt.Horizontal)
@@ -91,11 +91,11 @@ class TaskJog(Panel):
         self.home.clicked.connect(self.go_home)
         row.addStretch(1)
         row.addWidget(self.home)
-        grid.addLayout(row, 3, 0, 1, 3)
+        grid.addLayout(row, len(self.names), 0, 1, 3)
         return box
 
     def _table(self):
-        table = QtGui.QTableWidget(len(BODIES), 6)
+        table = QtGui.QTableWidget(len(self.bodies), 6)
         table.setObjectName("SensOffsets")
         table.setHorizontalHeaderLabels([
             translate("Sens", "Abbe offset / mm"), "x", "y", "z", "|r|", "Sᵀ"
@@ -105,7 +105,7 @@ class TaskJog(Panel):
         table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         table.setAlternatingRowColors(True)
         table.verticalHeader().setDefaultSectionSize(22)
-        table.setMinimumHeight(24 * len(BODIES) + 26)
+        table.setMinimumHeight(24 * len(self.bodies) + 26)
         table.itemSelectionChanged.connect(self._point)
         return table
 
@@ -126,7 +126,7 @@ class TaskJog(Panel):
 
     def go_home(self) -> None:
         """Move every axis to 0, or to the end of its travel nearest to it."""
-        for name in AXES:
+        for name in self.names:
             box = self.numbers[name]
             self.position[name] = min(max(0.0, box.minimum()), box.maximum())
         self._move()
@@ -139,18 +139,18 @@ class TaskJog(Panel):
             self.note.setText("")
         except Refused as error:
             self.note.setText(error.message)
-            self.position = dict(zip(AXES, extract.current_position(self.machine).tolist()))
+            self.position = extract.stands_at(self.machine)
         self._show()
 
     def _show(self) -> None:
         self._quiet = True
-        for name in AXES:
+        for name in self.names:
             self._put(name)
         self._quiet = False
         totals = self._indices()
-        for i, body in enumerate(BODIES):
+        for i, body in enumerate(self.bodies):
             obj = factory.body_of(self.machine, body)
-            values = [getattr(obj, f"AbbeOffset{k}").Value for k in AXES] if obj is not None else [None] * 3
+            values = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"] if obj is not None else [None] * 3
             length = obj.AbbeOffset.Length if obj is not None else None
             texts = [body_name(self.machine, body)] + ["" if v is None else f"{v:.1f}" for v in (*values, length)]
             texts.append(f"{totals[body]:.3f}" if body in totals else "–")
@@ -177,7 +177,7 @@ class TaskJog(Panel):
         try:
             if self.core is None:
                 self.core = extract.core_machine(self.machine)  # at home: jogging does not change it
-            where = workspace.at(self.core, [self.position[n] for n in AXES])
+            where = workspace.at(self.core, [self.position[n] for n in self.names])
             found = workspace.sensitivity(self.core, where, extract.objective(self.machine), estimate=False)
         except Refused as error:
             self.note.setText(error.message)
@@ -197,7 +197,7 @@ class TaskJog(Panel):
 
     def _point(self) -> None:
         rows = {i.row() for i in self.table.selectedIndexes()}
-        pointers.show(self.machine, [BODIES[r] for r in sorted(rows)] or list(AXES), detail=bool(rows))
+        pointers.show(self.machine, [self.bodies[r] for r in sorted(rows)] or list(self.names), detail=bool(rows))
 
     # -- the panel ---------------------------------------------------------------------------------------------------
     def leave(self):

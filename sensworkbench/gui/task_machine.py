@@ -16,7 +16,7 @@ from ..core.errors import AXES
 from ..core.machine import structure_chains
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from ..document import factory, geometry, paths, refresh, tips
+from ..document import factory, geometry, paths, refresh, tips, tree
 from ..document.base import kind_of
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from . import messages, pointers, proposal, settings
@@ -30,8 +30,7 @@ from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .sources import Source, along_choices, reference_choices, source_words, vector_words
 from .texts import body_kind
 
-BODIES = ("F", "X", "Y", "Z", "T", "W")
-STRUCTURES = tuple("".join(p) for p in itertools.permutations("FXYZ"))
+MOST_LISTED = 4  # axes: of more the structures are too many for a list
 
 
 def structure_of(machine) -> str:
@@ -63,6 +62,8 @@ class TaskMachine(Panel):
 
     def __init__(self, machine, body: str | None = None, proposed: proposal.Proposal | None = None):
         self.machine, self.document = machine, machine.Document
+        self.names = tree.joint_names(tree.bodies(machine)) or AXES
+        self.bodies = ("F", *self.names, "T", "W")
         self.body = body or "F"
         self._quiet = False
         self.end_of = False  # an end was taken where a side was pointed at
@@ -80,11 +81,17 @@ class TaskMachine(Panel):
         layout.addStretch(1)
         self.show()
 
+    def _structures(self) -> list[str]:
+        """Structure codes to choose from: every order of the bed and the axes, or that of the machine alone."""
+        if len(self.names) > MOST_LISTED:
+            return [structure_of(self.machine)]
+        return ["".join(p) for p in itertools.permutations(("F", *self.names))]
+
     # -- parts of the panel ------------------------------------------------------------------------------------------
     def _chains(self):
         group = QtGui.QGroupBox(translate("Sens", "Structure (workpiece → tool, F: bed)"))
         rows = QtGui.QFormLayout(group)
-        self.structure = combo([(code, code) for code in STRUCTURES])
+        self.structure = combo([(code, code) for code in self._structures()])
         self.structure.setToolTip(translate("Sens", "XYFZ: table X on saddle Y; the spindle moves along Z"))
         self.structure.currentIndexChanged.connect(self._structure_changed)
         self.chain_words = QtGui.QLabel()
@@ -111,11 +118,11 @@ class TaskMachine(Panel):
         self.table.setRootIsDecorated(False)
         self.table.setUniformRowHeights(True)
         self.table.setHeaderLabels([translate("Sens", "Component"), translate("Sens", "Parts")])
-        for body in BODIES:
+        for body in self.bodies:
             item = QtGui.QTreeWidgetItem(self.table, [body_kind(body), ""])
             item.setData(0, Qt.UserRole, body)
-        self.table.setMinimumHeight(24 * len(BODIES) + 28)
-        self.table.setMaximumHeight(26 * len(BODIES) + 34)
+        self.table.setMinimumHeight(24 * len(self.bodies) + 28)
+        self.table.setMaximumHeight(26 * len(self.bodies) + 34)
         self.table.resizeColumnToContents(0)
         self.table.currentItemChanged.connect(self._body_chosen)
         return self.table
@@ -194,11 +201,11 @@ class TaskMachine(Panel):
         try:
             code = structure_of(machine)
             self.structure.setCurrentIndex(self.structure.findData(code))
-            self.chain_words.setText(structure_words(code) if code in STRUCTURES else "")
+            self.chain_words.setText(structure_words(code) if self.structure.currentIndex() >= 0 else "")
             write_field(self.squareness, machine.Squareness)
             self.tool_point.show(source_words(machine.ToolPoint), bool(machine.ToolPoint))
             self.tool_words.setText(self._tool_words())
-            for i, body in enumerate(BODIES):
+            for i, body in enumerate(self.bodies):
                 item = self.table.topLevelItem(i)
                 item.setText(1, words_of(self.links(body)) or translate("Sens", "(none)"))
                 item.setToolTip(1, item.text(1))
@@ -206,7 +213,7 @@ class TaskMachine(Panel):
                 if body == self.body:
                     self.table.setCurrentItem(item)
             self.page.setTitle(body_kind(self.body))
-            axis = self.body in AXES
+            axis = self.body in self.names
             for field in self._axis_only:
                 field.setEnabled(axis)
             for field in self._body_only:
@@ -238,18 +245,18 @@ class TaskMachine(Panel):
         if self.body != "F":
             pointers.show(machine, [self.body], tool=True)
         else:  # a proposal begins with all of its axes in view
-            pointers.show(machine, AXES if self.guess.given else [], tool=True)
+            pointers.show(machine, self.names if self.guess.given else [], tool=True)
 
     def _found_words(self, owner) -> str:
         if self.body == "F" or owner is None or self.machine.Problem:
             return ""
         lines = []
-        if self.body in AXES:
+        if self.body in self.names:
             lines.append(translate("Sens", "Direction: {vector} ({source})").format(
                 vector=vector_words(owner.Direction, 4), source=owner.DirectionFrom))  # fmt: skip
         lines.append(translate("Sens", "Reference point: {vector} mm ({source})").format(
             vector=vector_words(owner.ReferencePoint, 2), source=owner.ReferenceFrom))  # fmt: skip
-        offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in AXES)
+        offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in "XYZ")
         lines.append(translate("Sens", "Abbe offset here: {offset} mm").format(offset=offset))
         return "\n".join(lines)
 
@@ -382,7 +389,7 @@ class TaskMachine(Panel):
             self.owner.Reverse = axis.reverse
             self.guess.drop(self.body, "DirectionSource", axis.why)
 
-        if self.body in AXES:
+        if self.body in self.names:
             self._try(change)
 
     # -- the panel ---------------------------------------------------------------------------------------------------

@@ -7,11 +7,11 @@ in its cell, is marked, and holds OK back.
 
 from __future__ import annotations
 
-from ..core.distributions import DISTRIBUTIONS, Tolerance, paper_tolerance, with_defaults
-from ..core.errors import BODIES, COMPONENTS, component
+from ..core.distributions import DISTRIBUTIONS, Tolerance, paper_tolerance
+from ..core.errors import Component
 from ..core.refusal import Refused
 from ..core.units import parse, shown
-from ..document import factory, tables
+from ..document import factory, refresh, tables
 from ..formats import tolerances as files
 from . import messages, settings
 from .command import Command, Where, command
@@ -33,8 +33,8 @@ UNITS = {True: ("urad", "arcsec", "mrad", "deg"), False: ("um", "nm", "mm")}
 class Row:
     """One error while it is edited: texts of the limits as typed, unit, distribution."""
 
-    def __init__(self, symbol: str, tolerance: Tolerance, unit: str):
-        self.symbol, self.component = symbol, component(symbol)
+    def __init__(self, component: Component, tolerance: Tolerance, unit: str):
+        self.symbol, self.component = component.symbol, component
         self.unit, self.distribution, self.sigma = unit, tolerance.distribution, tolerance.sigma
         self.values = {LOWER: tolerance.lower, UPPER: tolerance.upper}  # mm or rad
         self.texts: dict[int, str] = {}  # what was typed and could not be read
@@ -90,9 +90,12 @@ class ToleranceModel(QtCore.QAbstractTableModel):
     def load(self, tolerances, units) -> None:
         """Fill the table from tolerances and their units; errors that are absent have the limits 0."""
         self.beginResetModel()
-        everything = {s: Tolerance(0.0, 0.0) for s in COMPONENTS} | with_defaults(dict(tolerances))
-        self.rows = [Row(s, everything[s], units.get(s) or default_unit(s)) for s in COMPONENTS]
-        self.rows.sort(key=lambda r: BODIES.index(r.component.body))
+        self.known = refresh.components(self.machine)
+        full = factory.with_usual(self.machine, {s: t for s, t in tolerances.items() if s in self.known})
+        nothing = Tolerance(0.0, 0.0)
+        self.rows = [Row(c, full.get(s, nothing), units.get(s) or default_unit(c)) for s, c in self.known.items()]
+        bodies = list(dict.fromkeys(c.body for c in self.known.values()))
+        self.rows.sort(key=lambda r: bodies.index(r.component.body))
         self.endResetModel()
 
     def rowCount(self, parent=None):
@@ -124,7 +127,7 @@ class ToleranceModel(QtCore.QAbstractTableModel):
             if column == SYMBOL:
                 return row.symbol
             if column == MEANING:
-                return error_meaning(row.symbol)
+                return error_meaning(row.symbol, self.known)
             if column == OWNER:
                 return body_name(self.machine, row.component.body)
             if column in (LOWER, UPPER):
@@ -170,14 +173,14 @@ class ToleranceModel(QtCore.QAbstractTableModel):
     def result(self) -> tuple[dict[str, Tolerance], dict[str, str]]:
         """(tolerances, units); refuses the first row that cannot be read; leaves out zeros beyond the usual 24."""
         found = {r.symbol: r.tolerance() for r in self.rows}
-        usual = with_defaults({})
+        usual = factory.with_usual(self.machine, {})
         kept = {s: t for s, t in found.items() if s in usual or t.lower or t.upper}
         return kept, {r.symbol: r.unit for r in self.rows if r.symbol in kept}
 
 
-def default_unit(symbol: str) -> str:
+def default_unit(component: Component) -> str:
     """Return the unit in which an error is shown if the document does not state one."""
-    return settings.get("AngleUnit") if component(symbol).angular else "um"
+    return settings.get("AngleUnit") if component.angular else "um"
 
 
 class Choice(QtGui.QStyledItemDelegate):

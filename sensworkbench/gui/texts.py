@@ -6,10 +6,9 @@ from __future__ import annotations
 import re
 from math import sqrt
 
-from ..core.errors import ROTATION, SQUARENESS, component
-from ..core.refusal import Refused
+from ..core.errors import COMPONENTS, ROTATION, SQUARENESS, Component, square_to
 from ..core.units import factor, shown
-from ..document import factory
+from ..document import tree
 from . import settings
 from .qt import translate
 
@@ -25,7 +24,7 @@ def body_name(machine, body: str) -> str:
     """What the user calls a body: the label of its object."""
     if body == "F":
         return translate("Sens", "Bed")
-    obj = factory.body_of(machine, body) if machine is not None else None
+    obj = tree.body_of(machine, body) if machine is not None else None
     # FreeCAD makes labels unique by a number of three digits
     return re.sub(r"(?<=\D)\d{3}$", "", obj.Label) if obj is not None else body_kind(body)
 
@@ -39,33 +38,32 @@ def body_kind(body: str) -> str:
         "Z": translate("Sens", "Z carriage"),
         "T": translate("Sens", "Spindle and tool"),
         "W": translate("Sens", "Workpiece and fixture"),
-    }[body]
+    }.get(body) or translate("Sens", "{axis} carriage").format(axis=body)
 
 
-def error_meaning(symbol: str) -> str:
-    """What an error is, in words."""
-    try:
-        c = component(symbol)
-    except Refused:  # a traced effect: its name says what it is
+def error_meaning(symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
+    """What an error is, in words.  known : components of the machine (`refresh.components`); default: X, Y, Z."""
+    c = known.get(symbol)
+    if c is None:  # a traced effect: its name says what it is
         return translate("Sens", "traced effect")
     along = "XYZ"[c.axis]
     if c.kind == SQUARENESS:
         return translate("Sens", "squareness of {body} to {other}").format(
-            body=c.body, other="Y" if c.symbol == "A0Z" else "X"
+            body=c.body, other=square_to(c)
         )
     if c.kind == ROTATION:
         if c.body == "W":
             return translate("Sens", "workpiece, rotation about {axis}").format(axis=along)
         if c.body == "T":
             return translate("Sens", "spindle, tilt about {axis}").format(axis=along)
-        if along == c.body:
+        if c.axis == c.along:
             return translate("Sens", "roll of {body}").format(body=c.body)
         return translate("Sens", "tilt of {body} about {axis}").format(body=c.body, axis=along)
     if c.body == "W":
         return translate("Sens", "workpiece, shift along {axis}").format(axis=along)
     if c.body == "T":
         return translate("Sens", "spindle, shift along {axis}").format(axis=along)
-    if along == c.body:
+    if c.axis == c.along:
         return translate("Sens", "positioning of {body}").format(body=c.body)
     return translate("Sens", "straightness of {body} along {axis}").format(body=c.body, axis=along)
 
@@ -100,11 +98,18 @@ def positions_text(result) -> str:
     """Where the indices were taken."""
     points = [int(p) if result.Aggregate != "at" else p for p in result.Points]
     if result.Aggregate == "at":
-        return translate("Sens", "At X {x}, Y {y}, Z {z} mm").format(**dict(zip("xyz", (plain(p) for p in points))))
+        names = tree.joint_names(tree.bodies(tree.owner_machine(result)))
+        return position_words(dict(zip(names, map(plain, points))))
     counts = "×".join(str(p) for p in points)
     if result.Aggregate == "grid":
         return translate("Sens", "Over a grid of {counts} positions").format(counts=counts)
     return translate("Sens", "Over the workspace, {counts} positions").format(counts=counts)
+
+
+def position_words(position: dict[str, str]) -> str:
+    """Return one position of the axes in words.  position : name of an axis -> its value in mm, as text."""
+    places = ", ".join(f"{name} {value}" for name, value in position.items())
+    return translate("Sens", "At {positions} mm").format(positions=places)
 
 
 def objective_text(result) -> str:

@@ -13,9 +13,8 @@ from math import sqrt
 import FreeCAD as App
 
 from ..core import workspace
-from ..core.errors import AXES
 from ..core.refusal import Refused
-from ..document import extract, factory, results, tables
+from ..document import extract, factory, results, tables, tree
 from . import display, live, messages
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, translate
@@ -38,6 +37,7 @@ def factors():
 
 class WhatIf(QtGui.QWidget):
     """The tab that tries other tolerances, weights and reference points, and compares the rankings."""
+
     def __init__(self, parent=None):
         super().__init__(parent)
         layout = QtGui.QVBoxLayout(self)
@@ -101,13 +101,13 @@ class WhatIf(QtGui.QWidget):
         tip = translate("Sens", "Moves the reference point of an axis, where its scale is read, along X, Y, Z")
         row = QtGui.QHBoxLayout()
         row.addWidget(QtGui.QLabel(translate("Sens", "Move the scale of")))
-        self.axis = combo([(name, name) for name in AXES])
+        self.axis = combo([("X", "X")])  # the axes of the machine, once there is one
         self.axis.setToolTip(tip)
         self.axis.currentIndexChanged.connect(self._show_shift)
         row.addWidget(self.axis)
-        self.shift = [number_box(-1e5, 1e5, 1, 10, " mm") for _ in AXES]
-        for name, box in zip(AXES, self.shift):
-            box.setPrefix(f"{name.lower()} ")
+        self.shift = [number_box(-1e5, 1e5, 1, 10, " mm") for _ in range(3)]
+        for letter, box in zip("xyz", self.shift):
+            box.setPrefix(f"{letter} ")
             box.setToolTip(tip)
             box.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
             box.setKeyboardTracking(False)
@@ -139,6 +139,13 @@ class WhatIf(QtGui.QWidget):
         same = machine is self.machine and fresh == self._print
         self.machine, self.result, self._print = machine, result, fresh
         self.setEnabled(result is not None)
+        names = () if machine is None else tree.joint_names(tree.bodies(machine))
+        if names != tuple(self.axis.itemData(i) for i in range(self.axis.count())):
+            self._quiet = True
+            self.axis.clear()
+            for name in names:
+                self.axis.addItem(name, name)
+            self._quiet = False
         if not same:
             self.reset()
 
@@ -227,13 +234,13 @@ class WhatIf(QtGui.QWidget):
             {s: i for i, s in enumerate(sorted(table, key=lambda k: -round(table[k], 12)), start=1)}
             for table in (now, after)
         ]
-        words = dict(factors())
+        words, known = dict(factors()), {c.symbol: c for c in core.components}
         laws = core.all_tolerances
         for symbol, owner in zip(then.symbols, then.owners):
             item = _Item(self.table)
             factor = self.changes.get(symbol, 1.0)
             law = laws.get(symbol)
-            is_angle = angular(symbol)
+            is_angle = angular(symbol, known)
             unit = units.get(symbol) or ("urad" if is_angle else "um")
             before, here = ranks[0].get(symbol, 0), ranks[1][symbol]
             arrow = "" if before == here else " ▲" if here < before else " ▼"
@@ -244,7 +251,7 @@ class WhatIf(QtGui.QWidget):
                 symbol, change,
                 f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
                 limits(law.lower, law.upper, unit, is_angle) if law else "",
-                body_name(self.machine, owner), error_meaning(symbol),
+                body_name(self.machine, owner), error_meaning(symbol, known),
             )  # fmt: skip
             for column, text in enumerate(texts):
                 item.setText(column, text)
