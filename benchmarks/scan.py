@@ -153,8 +153,8 @@ def traced(count: int, flips: int) -> dict:
         "before_mib": before,
         "peak_mib": peak_mib(),
         "stages": stages,
-        "verdict": outcome.report["verdict"],
-        "effects": [[e["component"], e["driver"], e["shape"]] for e in outcome.report["effects"]],
+        "verdict": outcome.verdict,
+        "effects": [[e.effect.component, str(e.effect.driver), e.effect.shape.name] for e in outcome.effects],
     }
 
 

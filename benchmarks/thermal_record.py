@@ -57,8 +57,8 @@ def judge(record, channel: int) -> dict:
     rms = lambda v: float(np.sqrt((v**2).mean()))  # noqa: E731
     return {
         "channel": channel,
-        "verdict": result.report["verdict"],
-        "effects": [f"{e['component']} by {e['driver']} ({e['shape']})" for e in result.report["effects"]],
+        "verdict": result.verdict,
+        "effects": [f"{e.effect.component} by {e.effect.driver} ({e.effect.shape.name})" for e in result.effects],
         "spread_um": float(1e3 * readings.value.std()),
         "train_um": rms(left[:count]),
         "test_um": rms(left[count:]),

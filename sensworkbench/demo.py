@@ -221,11 +221,11 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         files = work / "predicted.csv", work / "positions.csv"
         readings_csv.save_predicted(*files, positions, found.error, found.extrapolated)
         truth = simulate(machine, errors, squareness, new[0], new[2])
-    held = {k: v["held_out"]["rms_um"] for k, v in outcome.report["error"].items() if isinstance(v, dict)}
+    held = {k: v.held_out["rms_um"] for k, v in outcome.error.items()}
     off = float(np.sqrt(((1e3 * (found.error - truth)) ** 2).sum(axis=1).mean()))
-    named = [f"found: {e['component']} driven by {e['driver']}: {e['name']}" for e in outcome.report["effects"]]
+    named = [f"found: {e.effect.component} driven by {e.effect.driver}: {e.effect.name}" for e in outcome.effects]
     return [
-        f"simulated: EAZ driven by temp_column, {BEND_URAD_PER_K:g} urad/K; verdict: {outcome.report['verdict']}",
+        f"simulated: EAZ driven by temp_column, {BEND_URAD_PER_K:g} urad/K; verdict: {outcome.verdict}",
         *named,
         "rms of held-out readings: uncorrected {uncorrected:.2f}, declared model {declared:.2f}, with the effect "
         "{augmented:.2f} um".format(**held),

@@ -142,11 +142,11 @@ def describe(symbol: str, driver: Driver, shape: Shape) -> Message:
     return Message(code, **fields)
 
 
-def not_testable(columns) -> list[dict]:
-    """Catalogue entries whose columns are not in the readings (or do not vary): {"effect", "needs"}."""
+def not_testable(columns) -> tuple[tuple[Message, str], ...]:
+    """(name, columns that it needs) of entries whose columns are not in the readings, or do not vary."""
     out = []
     for entry in CATALOGUE.values():
         lacking = [n for n in entry.needs if not any(c == n or c.startswith(n + "_") for c in columns)]
         if lacking:
-            out.append({"effect": str(entry.name), "needs": ", ".join(NEEDED[n] for n in lacking)})
-    return out
+            out.append((entry.name, ", ".join(NEEDED[n] for n in lacking)))
+    return tuple(out)

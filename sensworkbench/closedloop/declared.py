@@ -6,16 +6,29 @@ No value is given for what the readings do not determine; what they cannot tell 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..core.errors import component
 from ..core.machine import Machine
-from ..core.refusal import Refused
-from . import outcome
-from .design import Term, design, tool_labels
-from .fit import Fit, fit, null_space_words
+from ..core.synthesis import omega
+from ..messages import Refused
+from . import scores
+from .design import Term, design
+from .fit import Fit, fit, null_space
 from .readings import Readings
-from .trace import without_known_effects
+
+
+def without_known_effects(machine: Machine, readings: Readings) -> Readings:
+    """Readings less what the machine's own enabled effects predict: they are known, and traced no second time."""
+    known = [e for e in machine.effects if e.enabled]
+    if not known:
+        return readings
+    matrix = omega(machine, [e.component for e in known], readings.q, readings.tool_offset)
+    motion = np.stack([e.values(readings.columns) for e in known], axis=1)
+    vectors = np.einsum("pan,pn->pa", matrix, motion)
+    return replace(readings, value=readings.value - np.einsum("ra,ra->r", vectors[readings.point], readings.sense))
 
 
 def declared_fit(machine: Machine, readings: Readings) -> Fit:
@@ -27,16 +40,12 @@ def declared_fit(machine: Machine, readings: Readings) -> Fit:
     terms = design(machine, readings)
     found = fit(terms, readings)
     if found.dof < 1:
-        raise Refused(
-            f"{readings.rows} readings cannot determine {found.basis.rank} parameters",
-            "readings",
-            "Measure more places, or declare fewer errors.",
-        )
+        raise Refused("fit-few-for-model", "readings", count=readings.rows, rank=found.basis.rank)
     return found
 
 
 def fit_summary(found: Fit, readings: Readings) -> dict:
-    """The fit in numbers and words: rms before and after (um), noise, rank, null space, outliers, parameters.
+    """The fit in numbers: rms before and after (um), noise, rank, null space (messages), outliers, parameters.
 
     parameters : (label, value or None, standard uncertainty or None, unit); None where it is not determined.
     """
@@ -57,8 +66,8 @@ def fit_summary(found: Fit, readings: Readings) -> dict:
         "columns": len(terms),
         "rank": int(found.basis.rank),
         "condition": float(found.basis.condition),
-        "null_space": null_space_words(found, max(1, len(tool_labels(readings)))),
-        "rms": outcome.metrics(found.residual * 1e3, readings, used),
+        "null_space": null_space(found, readings),
+        "rms": scores.metrics(found.residual * 1e3, readings, used),
         "noise_um": {"xyz*"[kind]: sigma * 1e3 for kind, sigma in found.noise.items()},
         "outliers": [{"line": int(lines[p]), "position_mm": readings.q[p].tolist()} for p in points],
         "parameters": parameters,

@@ -12,8 +12,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..messages import Message
 from .design import Design
+from .noise import Memory, correlation, memory_of
 from .readings import Readings
+
+__all__ = ["Basis", "Fit", "basis", "correlation", "fit", "null_space", "robust_scale"]
 
 RANK_TOLERANCE = 1e-6
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
@@ -28,9 +32,9 @@ def robust_scale(r) -> float:
 
 @dataclass(frozen=True)
 class Basis:
-    """Orthonormal basis of the weighted design: q (R, rank), with v (n, rank), s (rank,): columns = u s vᵀ."""
+    """Orthonormal basis of the weighted design: ortho (R, rank), v (n, rank), s (rank,): columns = ortho s vᵀ."""
 
-    q: np.ndarray
+    ortho: np.ndarray
     s: np.ndarray
     v: np.ndarray
     scale: np.ndarray
@@ -38,19 +42,19 @@ class Basis:
 
     @property
     def rank(self) -> int:
-        return self.q.shape[1]
+        return self.ortho.shape[1]
 
 
-def _scaled(matrix, weight) -> tuple[np.ndarray, np.ndarray]:
+def _scaled(matrix, weight=None) -> tuple[np.ndarray, np.ndarray]:
     """Weighted columns of unit length, and their lengths (infinite for a column that shows nowhere)."""
-    x = matrix * weight[:, None]
+    x = matrix if weight is None else matrix * weight[:, None]
     scale = np.linalg.norm(x, axis=0)
     scale[scale <= 1e-12 * max(scale.max(initial=0.0), 1e-300)] = np.inf
     return x / scale, scale
 
 
-def basis(matrix, weight) -> Basis:
-    """Column-scaled SVD of the weighted design (R, n); weight (R,) multiplies rows.
+def basis(matrix, weight=None) -> Basis:
+    """Column-scaled SVD of the design (R, n); weight (R,) multiplies rows (None: they are weighted already).
 
     Twice through the Gram matrix (the second pass restores orthogonality to rounding): for tall designs many times
     faster than Householder, and exact enough where singular values span less than 1/RANK_TOLERANCE.
@@ -82,7 +86,7 @@ class Fit:
 
     coefficients (n,), mm or rad; determined (n,) bool; covariance (n, n) of the determined part (zero elsewhere).
     residual (R,) mm; sigma (R,) mm: noise of each reading as used; weight (R,): 1/sigma, 0 for outliers; outliers (R,)
-    bool; noise: kind -> sigma mm; basis; null_space (n, k), reduced; dof.
+    bool; noise: kind -> sigma mm; basis of the whitened rows; null_space (n, k), reduced; dof; memory of the noise.
     """
 
     design: Design
@@ -98,10 +102,16 @@ class Fit:
     null_space: np.ndarray
     extra: int  # columns appended for effects
     dof: float
+    memory: Memory | None = None
+
+    def white(self, x) -> np.ndarray:
+        """Rows (R,) or (R, m) over their noise, its memory taken out: white and of variance 1 where x is noise."""
+        y = x * (self.weight if x.ndim == 1 else self.weight[:, None])
+        return y if self.memory is None else self.memory.forward(y)
 
     @property
     def chi2(self) -> float:
-        return float(((self.residual * self.weight) ** 2).sum())
+        return float((self.white(self.residual) ** 2).sum())
 
 
 def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.ndarray, dict]:
@@ -164,10 +174,11 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings):
     return sigma, noise, good
 
 
-def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start: Fit | None = None) -> Fit:
+def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start=None, memory=None) -> Fit:
     """Robust weighted least squares of the declared design and `effects` (R, m) appended columns.
 
-    start : an earlier fit whose noise starts the iteration.  Outliers are decided afresh each time, so a row that an
+    start : an earlier Fit whose noise starts the iteration.  memory : kind -> correlation of successive residuals, or
+    None; the last step is then generalised least squares.  Outliers are decided afresh each time, so a row that an
     effect explains is admitted again; where they crowd, they are structure, and the fit is plain least squares.
     """
     matrix = design.matrix if effects is None else np.concatenate([design.matrix, effects], axis=1)
@@ -181,10 +192,13 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
     sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings)
     if _crowded(~good, readings):
         sigma, noise, good = _weigh(matrix, y, first, np.ones(count), stated, readings)
-    weight = 1 / sigma
-    w = weight * good
-    b = basis(matrix, w)
-    theta = (b.v / b.s) @ (b.q.T @ (y * w)) / b.scale
+    w = good / sigma
+    whitening = None if not memory else memory_of(readings, memory, good)
+    weighted, target = matrix * w[:, None], y * w
+    if whitening is not None:
+        weighted, target = whitening.forward(weighted), whitening.forward(target)
+    b = basis(weighted)
+    theta = (b.v / b.s) @ (b.ortho.T @ target) / b.scale
     residual = y - matrix @ theta
     rows_of_v = b.v / b.s
     scale = np.where(np.isfinite(b.scale), b.scale, 1.0)
@@ -206,6 +220,7 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
         null_space=_null_space(b, n),
         extra=0 if effects is None else effects.shape[1],
         dof=float(good.sum() - b.rank),
+        memory=whitening,
     )
 
 
@@ -231,19 +246,30 @@ def _null_space(b: Basis, n: int) -> np.ndarray:
     return null.T
 
 
-def null_space_words(fit: Fit, tools: int) -> list[str]:
-    """The null space in words, one sentence a combination."""
+def null_space(fit: Fit, readings: Readings) -> list[Message]:
+    """What the readings do not determine: one message per combination, with the advice that fits what was sensed."""
     terms = fit.design.terms
-    sentences = []
+    found = []
     for vector in fit.null_space[: len(terms)].T:
         strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > 0.02 * np.abs(vector).max()]
         names = list(dict.fromkeys(terms[i].label for i in strong))
-        if not names:
-            continue
-        advice = " with one tool: measure with a second tool length or offset" if tools < 2 else ""
-        if len(names) == 1:
-            sentences.append(f"{names[0]} does not show in these readings{advice}")
-        else:
-            listed = ", ".join(names[:-1]) + " and " + names[-1]
-            sentences.append(f"{listed} cannot be told apart{advice}")
-    return sorted(set(sentences))
+        if names:
+            found.append(_undetermined(names, readings))
+    return sorted(dict.fromkeys(found), key=str)
+
+
+def _undetermined(names: list[str], readings: Readings) -> Message:
+    """One set of parameters that no reading separates.
+
+    A second tool helps where whole vectors were read with one tool; where some directions of space were not sensed at
+    all, they come first.
+    """
+    if len(names) == 1:
+        code, fields = "null-unseen", {"name": names[0]}
+    else:
+        code, fields = "null-alike", {"names": names[:-1], "last": names[-1]}
+    sensed = np.linalg.svd(readings.sense, compute_uv=False)
+    if (sensed > 1e-3 * sensed[0]).sum() < 3:
+        return Message(f"{code}-direction", **fields)
+    tools = 0 if readings.tool_offset is None else len(np.unique(np.round(readings.tool_offset, 4), axis=0))
+    return Message(f"{code}-tool" if tools < 2 else code, **fields)

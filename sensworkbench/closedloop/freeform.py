@@ -87,14 +87,13 @@ def free_regressor(names, columns, degree: int) -> Regressor:
 
 def subspace_gain(rows: Rows, component: int, vectors) -> tuple[float, int]:
     """(drop of chi-square, dimensions) when a component driven by `vectors` (P, m) joins the weighted model."""
-    counts = np.diff(np.r_[rows.start, len(rows.residual)])
-    x = rows.lever[:, [component]] * np.repeat(vectors, counts, axis=0)
+    x = rows.white(rows.lever[:, [component]] * vectors[rows.point])
     total = np.sqrt((x**2).sum(axis=0))
     good = total > 1e-12 * max(float(total.max(initial=0.0)), 1e-300)
     if not good.any():
         return 0.0, 0
     x = x[:, good] / total[good]
-    x = x - rows.q @ (rows.q.T @ x)
+    x = x - rows.ortho @ (rows.ortho.T @ x)
     values, vectors_ = np.linalg.eigh(x.T @ x)
     keep = values > 1e-4
     if not keep.any():
@@ -146,13 +145,12 @@ class FreeScan:
         self.components = range(rows.lever.shape[1]) if components is None else components
         self.sets = [(a,) for a in self.names] + list(itertools.combinations(self.names, 2))
         self.forms = [free_form(readings.columns, s, DEGREE) for s in self.sets]
-        gathered = {c: rows.gather(rows.q * rows.lever[:, [c]]) for c in self.components}
-        squares = {c: rows.gather(rows.lever[:, [c]] ** 2)[:, 0] for c in self.components}
+        gathered = {c: rows.per_point(c)[0] for c in self.components}
         blocks, self.owner = [], []
         for k, form in enumerate(self.forms):
             v = form.vectors
             for c in self.components:
-                inner = (v * squares[c][:, None]).T @ v
+                inner = rows.inner(c, v)
                 size = np.sqrt(np.maximum(np.diag(inner), 1e-300))
                 shown = inner - (v.T @ gathered[c]) @ (gathered[c].T @ v)
                 values, vectors = np.linalg.eigh(shown / np.outer(size, size))
@@ -180,11 +178,11 @@ class FreeScan:
         rows = self.rows
         if not self.owner:
             return [], np.zeros(0)
-        observed = rows.gather(rows.lever * rows.residual[:, None])[None]
+        observed = rows.gather(rows.lever * rows.pulled(rows.residual)[:, None])[None]
         flipped = rows.flipped(signs)
         maxima = []
         for begin in range(0, len(signs), 25):
-            h = np.stack([rows.gather(rows.lever * r[:, None]) for r in flipped[begin : begin + 25]])
+            h = np.stack([rows.gather(rows.lever * rows.pulled(r)[:, None]) for r in flipped[begin : begin + 25]])
             maxima.append(self._tails(self._gains(h)).max(axis=1))
         null = np.concatenate(maxima)
         gains = self._gains(observed)[0]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""May a finding carry a name?  Only if a free form of the same component and columns gains nothing beyond it.
+"""Accept a name only if a free form of the same component and columns does not fit significantly better.
 
 Odd shapes attract several plausible pieces, slow columns stand in for each other and for time, and short-wave roughness
 looks periodic almost everywhere; each has its own test here.
@@ -11,13 +11,11 @@ import numpy as np
 
 from ..core.driver import DIRECTIONS, POSITIONS, TIME
 from ..core.errors import component
+from ..messages import Message
 from .freeform import free_form, normal_score, subspace_gain
 from .scan import Rows, Scanner
-from .search import Candidate
-
-BEYOND_SCORE = 3.7  # one-sided p about 1e-4
-BEYOND_SIZE = 0.1  # rms per reading in units of its noise
-LINE_RATIO = 4.0  # a period must explain this much more than the next line left anywhere
+from .search import ScoredTerm
+from .settings import DEFAULT, TraceSettings
 
 
 def _fourier(v, harmonics: int) -> np.ndarray:
@@ -40,23 +38,23 @@ def slow_columns(columns, names) -> list[str]:
     return slow
 
 
-def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarray]]:
+def free_forms(candidate: ScoredTerm, columns, names) -> list[tuple[Message, np.ndarray]]:
     """Free forms that must gain nothing beyond the candidate: (what it is a form of, vectors (P, m))."""
     driver, out = candidate.driver, []
     if candidate.shape.wave:
         v = driver.values(columns)
         harmonics = int(min(24, len(np.unique(v)) // 3, len(v) // 25))
         if harmonics > 1:
-            out.append((f"waves along {driver}", _fourier(v, harmonics)))
+            out.append((Message("form-waves", driver=str(driver)), _fourier(v, harmonics)))
         return out
     slow = [p for p in driver.names if p in slow_columns(columns, names)]
     parts = candidate.regressor.columns
     degree = {1: 9, 2: 6}.get(len(parts), 4)
-    out.append((" and ".join(parts), free_form(columns, parts, degree).vectors))
+    out.append((Message("form-columns", columns=list(parts)), free_form(columns, parts, degree).vectors))
     if slow and TIME in names:
         others = tuple(p for p in parts if p not in (*slow, TIME))
         if not others:
-            out.append(("time", free_form(columns, (TIME,), 12).vectors))
+            out.append((Message("form-time"), free_form(columns, (TIME,), 12).vectors))
         else:
             # the other factors as they stand, times any smooth function of time
             scale = np.ones(len(columns[TIME]))
@@ -64,26 +62,24 @@ def free_forms(candidate: Candidate, columns, names) -> list[tuple[str, np.ndarr
                 if name in others:
                     scale = scale * columns[name]
             smooth = np.concatenate([np.ones((len(scale), 1)), free_form(columns, (TIME,), 10).vectors], axis=1)
-            out.append((" and ".join((*others, "time")), scale[:, None] * smooth))
+            out.append((Message("form-columns-time", columns=list(others)), scale[:, None] * smooth))
     return out
 
 
-def beyond(rows: Rows, candidate: Candidate, columns, names, readings_used: int, inflation: float = 1.0) -> str:
-    """What a free form finds beyond the candidate ("" for nothing); rows: of the model that holds the candidate.
-
-    inflation : of the variance of slow columns where the noise is correlated from reading to reading.
-    """
+def beyond(
+    rows: Rows, candidate: ScoredTerm, columns, names, readings_used: int, settings: TraceSettings = DEFAULT
+) -> Message | None:
+    """What a free form finds beyond the candidate, or None; rows: of the model that holds the candidate."""
     for what, vectors in free_forms(candidate, columns, names):
         gain, dims = subspace_gain(rows, candidate.index, vectors)
-        gain /= inflation
         size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
-        if normal_score(gain, dims) > BEYOND_SCORE and size > BEYOND_SIZE:
-            return f"a free form of {what} on {candidate.symbol} explains more than this shape"
-    return ""
+        if normal_score(gain, dims) > settings.beyond_score and size > settings.beyond_size:
+            return Message("refused-free-form", form=what, component=candidate.symbol)
+    return None
 
 
-def stand_in(candidate: Candidate, others, columns, names) -> str:
-    """Why a finding on temperatures and time is but a stand-in for a column that was not logged ("" if it is none).
+def stand_in(candidate: ScoredTerm, others, columns, names) -> Message | None:
+    """Why a finding on temperatures and time only stands in for a column that was not logged; None if it does not.
 
     Any slow curve can be pieced together from others: two pieces on one motion are no names, unless each acts in
     proportion, as a warm-up or at an instant.  Nor is a polynomial of one temperature (expansion is in proportion), nor
@@ -91,39 +87,38 @@ def stand_in(candidate: Candidate, others, columns, names) -> str:
     """
     slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {TIME}
 
-    def parts(c: Candidate) -> tuple[set[str], set[str]]:
+    def parts(c: ScoredTerm) -> tuple[set[str], set[str]]:
         factors = set(c.driver.columns)
         return factors & slow, factors - slow
 
-    def bent(c: Candidate) -> bool:
+    def bent(c: ScoredTerm) -> bool:
         if TIME in parts(c)[0]:
             return not (c.shape.warm_up or c.shape.sudden)
         return not c.shape.proportional or c.driver.repeats
 
-    def motion(c: Candidate):
+    def motion(c: ScoredTerm):
         at = component(c.symbol)
         return c.symbol if at.angular else at.axis
 
     mine, rest = parts(candidate)
     if candidate.shape.series and mine and TIME not in mine:
-        return f"expansion is in proportion: a bent {candidate.driver} stands in for what was not logged"
+        return Message("refused-bent", driver=str(candidate.driver))
     own = component(candidate.symbol).body.lower()
     for name in sorted(mine) if own in POSITIONS else ():
         stem, _, axis = name.rpartition("_")
         if axis in POSITIONS and axis != own and f"{stem}_{own}" not in columns:
-            return f"{name} belongs to another axis, and {stem}_{own} was not logged"
+            return Message("refused-other-axis", column=name, missing=f"{stem}_{own}")
     for o in others if mine else ():
         theirs, same = parts(o)
         if candidate.shape.sudden or o.shape.sudden:
             continue  # nothing slow looks like an instant
         if theirs and same == rest and motion(o) == motion(candidate) and (bent(o) or bent(candidate)):
-            both = " and ".join(sorted(mine | theirs))
-            return f"pieces of {both} on one motion stand in for something slow that was not logged"
-    return ""
+            return Message("refused-pieces", columns=sorted(mine | theirs))
+    return None
 
 
-def stands_out(rows: Rows, candidate: Candidate, scanner: Scanner) -> bool:
-    """Does a period explain much more than any other line that is left?  Roughness is many lines, a screw is one."""
+def stands_out(rows: Rows, candidate: ScoredTerm, scanner: Scanner, settings: TraceSettings = DEFAULT) -> bool:
+    """Whether a period explains much more than any other wave that is left: roughness is many waves, a screw is one."""
     gains = scanner.scores(rows.residual).gain
     lines = np.flatnonzero([s.shape.wave for s in scanner.shapes])
-    return not len(lines) or candidate.gain > LINE_RATIO * float(gains[lines].max())
+    return not len(lines) or candidate.gain > settings.line_ratio * float(gains[lines].max())

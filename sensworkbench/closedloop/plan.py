@@ -19,30 +19,27 @@ import numpy as np
 from ..core.driver import POSITIONS, Driver
 from ..core.errors import COMPONENTS
 from ..core.machine import Machine
-from ..core.refusal import Refused
 from ..core.shapes import Periodic, Regressor, Shape
 from ..core.synthesis import omega
+from ..messages import Message, Refused
 from . import catalogue
 from .bank import bank, useful_columns
 from .catalogue import Physical
-from .design import ALIGNMENT, ALL_SYMBOLS, Design, alike, declared_columns, design, tool_labels
+from .design import ALIGNMENT, ALL_SYMBOLS, Design, alike, declared_columns, design
 from .effects import coefficient_unit
-from .fit import Basis, basis, fit, null_space_words
+from .fit import Basis, basis, fit, null_space
 from .readings import Readings
 from .scan import Rows, Scanner
 from .search import handicap
+from .settings import DEFAULT, TraceSettings
 
-HIDDEN = 0.05  # a smaller visible share is no basis for a claim
-SAME = 0.95  # candidates whose projected columns have a larger |cosine| are not told apart
-ALPHA, POWER = 0.01, 0.9  # family-wise error over all candidates, and the chance to find what is there
-FLOOR = 0.2  # of one reading's noise, rms over the readings: a trace names nothing smaller
 LEADS = (4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0)  # mm, of the usual ball screws
 LONGER_MM = 100.0
 PLAIN = 1.0  # of handicap: the candidates that an effect's name means, before all others that match it
 
 
 @dataclass(frozen=True)
-class Candidate:
+class PlannedTerm:
     """One component x driver x shape in a plan.
 
     symbol : the plainest of the components that move alike here (`alike` names the others).  visible : share of its
@@ -65,7 +62,7 @@ class Candidate:
 
     @property
     def hidden(self) -> bool:
-        return self.visible < HIDDEN
+        return self.amplitude_um is None
 
     @property
     def driver(self) -> Driver:
@@ -108,17 +105,17 @@ def as_readings(positions: Readings, noise_mm: float, normals=None, directions=(
 class Plan:
     """A machine, the planned readings (values 0, uncertainty stated) and what they could show; computed when asked."""
 
-    def __init__(self, machine: Machine, readings: Readings):
-        if readings.rows < 12:
-            raise Refused(f"{readings.rows} readings are too few", "plan", "Plan at least 12.")
-        self.machine, self.readings = machine, readings
+    def __init__(self, machine: Machine, readings: Readings, settings: TraceSettings = DEFAULT):
+        if readings.rows < settings.least_readings:
+            raise Refused("plan-few-readings", "plan", count=readings.rows, least=settings.least_readings)
+        self.machine, self.readings, self.settings = machine, readings, settings
         self.noise = float(readings.u[0])
         self.design: Design = design(machine, readings)
         weight = np.full(readings.rows, 1 / self.noise)
         self.basis: Basis = basis(self.design.matrix, weight)
         self.names = useful_columns(readings)
         start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
-        self.rows = Rows(self.design.lever / self.noise, np.zeros(readings.rows), start, self.basis.q)
+        self.rows = Rows(self.design.lever / self.noise, np.zeros(readings.rows), start, self.basis.ortho)
         self.groups = alike(self.design.lever)
         self.bank = bank(readings)
 
@@ -132,8 +129,8 @@ class Plan:
         return self.basis.rank
 
     @cached_property
-    def null_space(self) -> list[str]:
-        return null_space_words(fit(self.design, self.readings), max(1, len(tool_labels(self.readings))))
+    def null_space(self) -> list[Message]:
+        return null_space(fit(self.design, self.readings), self.readings)
 
     def prediction_um(self, longer: float = 0.0, side: int = 4) -> tuple[float | None, float]:
         """(rms standard uncertainty, um, 3-D, of the declared error over the workspace; share of it not determined).
@@ -172,17 +169,17 @@ class Plan:
     def threshold(self) -> float:
         """Drop of chi-square that an effect must give: past the family-wise limit with 90 % chance, above the floor."""
         tried = max(1, len(self.bank) * len(self.groups))
-        normal = NormalDist()
-        found = (normal.inv_cdf(1 - ALPHA / (2 * tried)) + normal.inv_cdf(POWER)) ** 2
-        return max(found, FLOOR**2 * self.readings.rows)
+        normal, s = NormalDist(), self.settings
+        found = (normal.inv_cdf(1 - s.alpha / (2 * tried)) + normal.inv_cdf(s.power)) ** 2
+        return max(found, s.floor**2 * self.readings.rows)
 
     @cached_property
-    def candidates(self) -> list[Candidate]:
+    def candidates(self) -> list[PlannedTerm]:
         """Every component x driver x shape over the columns present, the plainest first."""
         return self._scored(self.bank)
 
     @cached_property
-    def named(self) -> list[Candidate]:
+    def named(self) -> list[PlannedTerm]:
         """The candidates that match a named physical effect."""
         if "candidates" in self.__dict__:
             return [c for c in self.candidates if c.entry]
@@ -198,11 +195,11 @@ class Plan:
             for p in LEADS
         ]
 
-    def _scored(self, regressors: list[Regressor]) -> list[Candidate]:
+    def _scored(self, regressors: list[Regressor]) -> list[PlannedTerm]:
         if not regressors or not self.groups:
             return []
         columns = self.readings.columns
-        scanner = Scanner(self.rows, regressors, columns, [g[0] for g in self.groups])
+        scanner = Scanner(self.rows, regressors, [g[0] for g in self.groups], columns=columns)
         alone: dict[tuple, list[int]] = {}
         for k, regressor in enumerate(regressors):
             alone.setdefault(regressor.key, []).append(k)
@@ -216,12 +213,12 @@ class Plan:
                 out.append(self._candidate(regressors[middle], place, group, scanner, middle, share))
         return sorted(out, key=lambda c: (c.handicap, c.symbol, *c.regressor.key))
 
-    def _candidate(self, regressor, place, group, scanner, k, share) -> Candidate:
+    def _candidate(self, regressor, place, group, scanner, k, share) -> PlannedTerm:
         symbols = sorted((ALL_SYMBOLS[i] for i in group), key=lambda s: handicap(s, regressor))
         symbol, shape = symbols[0], regressor.shape
         visible = float(share[len(share) // 2])
         amplitude = coefficient = None
-        if visible >= HIDDEN:
+        if visible >= self.settings.visible:
             one = scanner.first[k]
             amplitude = 1e3 * self.noise * float(np.sqrt(self.threshold / (self.readings.points * visible)))
             motion = float(np.sqrt(self.threshold / scanner.shown[one, place]))  # rms over the points
@@ -231,7 +228,7 @@ class Plan:
         if shape.saturation is not None:  # its size is what it saturates at
             unit = COMPONENTS[symbol].unit
             coefficient = None if coefficient is None else coefficient * shape.saturation
-        return Candidate(
+        return PlannedTerm(
             symbol=symbol,
             alike=tuple(symbols[1:]),
             regressor=regressor,
@@ -245,9 +242,9 @@ class Plan:
             handicap=handicap(symbol, regressor),
         )
 
-    def physical(self) -> Iterator[tuple[Physical, list[Candidate]]]:
+    def physical(self) -> Iterator[tuple[Physical, list[PlannedTerm]]]:
         """Every named physical effect with its candidates in this plan, the plainest first; [] if none is testable."""
-        by_name: dict[str, list[Candidate]] = {}
+        by_name: dict[str, list[PlannedTerm]] = {}
         for c in self.named:
             by_name.setdefault(c.entry.key, []).append(c)
         for entry in catalogue.CATALOGUE.values():
@@ -259,7 +256,7 @@ class Plan:
         return min((c.amplitude_um for c in best if not c.hidden), default=None)
 
     # -- what looks alike ----------------------------------------------------------------------------------------
-    def confused(self, limit: int = 900) -> list[tuple[Candidate, Candidate, float]]:
+    def confused(self, limit: int = 900) -> list[tuple[PlannedTerm, PlannedTerm, float]]:
         """Pairs of named, visible candidates of at most two factors whose projected columns have |cosine| > 0.95.
 
         Different shapes of the same motion and columns are no pair.  The plainest `limit` candidates are compared.
@@ -271,12 +268,12 @@ class Plan:
         point = self.readings.point
         levers = self.rows.lever[:, [self.groups[c.place][0] for c in shown]]
         x = levers * np.stack([c.regressor.vectors(columns)[:, 0] for c in shown], axis=1)[point]
-        x -= self.rows.q @ (self.rows.q.T @ x)
+        x -= self.rows.ortho @ (self.rows.ortho.T @ x)
         size = np.linalg.norm(x, axis=0)
         x /= np.where(size > 0, size, 1.0)
         cosine = x.T @ x
         out = []
-        for i, j in zip(*np.nonzero(np.triu(np.abs(cosine) > SAME, 1))):
+        for i, j in zip(*np.nonzero(np.triu(np.abs(cosine) > self.settings.same, 1))):
             a, b = shown[i], shown[j]
             if not (a.place == b.place and a.driver.names == b.driver.names):
                 out.append((a, b, float(cosine[i, j])))
@@ -301,7 +298,7 @@ class Plan:
         return out
 
     def _shares(self, shapes, place) -> np.ndarray:
-        scanner = Scanner(self.rows, shapes, self.readings.columns, [self.groups[place][0]])
+        scanner = Scanner(self.rows, shapes, [self.groups[place][0]], columns=self.readings.columns)
         return scanner.visible[:, 0]
 
     @property
@@ -310,7 +307,7 @@ class Plan:
 
     # -- words ---------------------------------------------------------------------------------------------------
     @property
-    def not_testable(self) -> list[dict]:
+    def not_testable(self) -> tuple[tuple[Message, str], ...]:
         return catalogue.not_testable(self.names)
 
     def numbers(self) -> dict:
@@ -335,7 +332,7 @@ class Plan:
         }
 
 
-def plain(found: list[Candidate]) -> list[Candidate]:
+def plain(found: list[PlannedTerm]) -> list[PlannedTerm]:
     """Of an effect's candidates, the plainest first, those that are meant by its name: about as plain as the first."""
     return [c for c in found if c.handicap <= found[0].handicap + PLAIN]
 
@@ -352,7 +349,7 @@ def alias_frequencies(v) -> np.ndarray:
         [_window(part, places) for part in np.array_split(f, max(1, len(f) * len(places) // 10**6))]
     )
     found = []
-    for i in np.flatnonzero(window > SAME):
+    for i in np.flatnonzero(window > DEFAULT.same):
         if window[i] >= window[max(i - 1, 0)] and window[i] >= window[min(i + 1, len(f) - 1)]:
             near = f[i] + np.linspace(-1, 1, 81) / (8 * span)
             found.append(float(near[int(np.argmax(_window(near, places)))]))

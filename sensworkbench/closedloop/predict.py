@@ -39,11 +39,7 @@ def predict(machine: Machine, positions: Readings, alignment: bool = True, effec
     column that one of them needs is missing, or where a result is not a finite number.
     """
     if machine.fitted is None:
-        raise Refused(
-            "this machine has no fitted errors",
-            machine.name,
-            "Run trace first, and predict from its machine_augmented.",
-        )
+        raise Refused("predict-no-fit", machine.name)
     with np.errstate(all="ignore"):
         out = _predicted(machine, positions, alignment, effects)
     bad = ~np.isfinite(out).all(axis=1)

@@ -1,131 +1,169 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a trace found, as the entries of trace.json, the augmented machine and the residuals before and after.
+"""From the final state of a trace to its result: numbers with their uncertainty, rivals, before and after, advice.
 
-Nothing is decided here: names and verdict come from the trace, and this puts numbers, units, rivals and words to them.
+Nothing is decided here: names and verdict come from the trace.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+from functools import cached_property
+
 import numpy as np
 
-from ..core.driver import Driver
-from ..core.effects import shown
 from ..core.errors import component
 from ..core.machine import Machine
 from ..core.parameters import Levels
-from ..core.refusal import Refused
 from ..core.synthesis import omega
 from ..core.workspace import Cancelled, sensitivity
-from . import outcome
-from .catalogue import describe, not_testable, physical
-from .design import ALL_SYMBOLS, tool_labels
+from ..messages import Message, Refused
+from . import checks, scores
+from .catalogue import describe, physical
+from .catalogue import not_testable as lacking
+from .design import ALL_SYMBOLS
 from .effects import to_effect
-from .fit import Fit, null_space_words
-from .outcome import Outcome
-from .rivals import Rival, aliases, rivals, separating_measurement
+from .fit import Fit, null_space
+from .problem import State, Step
+from .remainder import Rest
+from .result import (
+    STAGES,
+    HiddenMotion,
+    Identifiability,
+    IndexShift,
+    Leftover,
+    NamedEffect,
+    NextMeasurement,
+    Outlier,
+    ParameterShift,
+    Refusal,
+    StageError,
+    TraceEvidence,
+    TraceResult,
+)
+from .rivals import aliases, rivals, separating_measurement
 from .scan import exact_gain
-from .search import Candidate, surface_candidate
-from .signs import flipped_findings
-from .tracer import ALPHA, Remainder, Step, Tracer
-from .unlogged import Unlogged
+from .search import ScoredTerm, surface_candidate
+from .signs import flipped_remark
+
+MOST_ADVICE = 6
 
 
-class TraceReport:
-    """Assembles trace.json and the augmented machine."""
+def result(state: State, declared: Fit, left: Rest, verdict: str, flipped, tell) -> TraceResult:
+    """The result of a trace whose final state and verdict are known; `declared` is the fit without effects."""
+    final = _Final(state, declared, left)
+    problem = state.problem
+    effects = final.effects
+    machine = scores.fitted_machine(problem.machine, final.full, problem.readings, effects)
+    found = [rivals(state, step, final.others(step)) for step in final.named]
+    if not tell(0.85, "rivals are compared"):
+        raise Cancelled("cancelled")
+    error, residuals = final.before_and_after
+    outcome = TraceResult(
+        verdict=verdict,
+        floor=state.settings.floor,
+        seed=problem.seed,
+        permutations=problem.permutations,
+        effects=tuple(_named(final, *item) for item in zip(final.named, effects, found)),
+        hidden=None if left.hidden is None else _hidden(state, left.hidden),
+        error=error,
+        noise=checks.noise_summary(final.full, problem.readings, residuals["augmented"], state.settings),
+        identifiability=Identifiability(
+            len(declared.design.terms),
+            int(declared.basis.rank),
+            declared.basis.condition,
+            tuple(null_space(declared, problem.readings)),
+        ),
+        depends_on=final.depends_on,
+        not_testable=lacking(problem.names),
+        not_identifiable=final.not_identifiable,
+        next_measurements=final.advice(found),
+        parameter_shifts=final.shifts,
+        sensitivity_shift=_sensitivity_shift(problem.machine, machine),
+        refused=tuple(
+            Refusal(s.candidate.symbol, str(s.candidate.driver), s.candidate.shape.name, s.p, s.refused)
+            for s in state.steps
+            if s.refused is not None
+        ),
+        left=final.leftover,
+        outliers=final.outliers,
+        remarks=tuple(flipped_remark(kind) for kind in flipped),
+        alignment=checks.alignment_of(problem.readings),
+        guarantee=checks.guarantee(state),
+        evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(final.full)),
+        log=state.log,
+    )
+    tell(1.0, "done")
+    return outcome
 
-    def __init__(self, tracer, declared, named, smooth, remainder, structured, hidden, verdict, flipped=()):
-        self.flipped = flipped
-        self.tracer: Tracer = tracer
-        self.declared: Fit = declared
-        self.named: list[Step] = named
-        self.smooth: list[Candidate] = smooth
-        self.remainder: Remainder = remainder
-        self.structured, self.hidden, self.verdict = structured, hidden, verdict
-        self.model = [*[s.candidate for s in named], *smooth]
-        self.full: Fit = tracer.fit_with(self.model)
 
-    def outcome(self, tell) -> Outcome:
-        tracer, readings, machine = self.tracer, self.tracer.readings, self.tracer.machine
-        effects = self._effects()
-        augmented = outcome.fitted_machine(machine, self.full, readings, effects)
-        found_rivals = [rivals(tracer, s, self._others(s)) for s in self.named]
-        if not tell(0.85, "rivals are compared"):
-            raise Cancelled("cancelled")
-        report = {
-            "format": "sens-trace",
-            "version": 1,
-            "verdict": self.verdict,
-            "floor": tracer.floor,
-            "seed": tracer.seed,
-            "permutations": tracer.permutations,
-            "effects": self._findings(effects, found_rivals),
-        }
-        errors, residuals = self._before_and_after()
-        report |= {
-            "error": errors,
-            "noise": self._noise(residuals),
-            "identifiability": {
-                "columns": len(self.declared.design.terms),
-                "rank": int(self.declared.basis.rank),
-                "condition": self.declared.basis.condition,
-                "null_space": null_space_words(self.declared, max(1, len(tool_labels(readings)))),
-            },
-            "depends_on": self._depends_on(),
-            "not_testable": not_testable(tracer.names),
-            "not_identifiable": self._not_identifiable(),
-            "next_measurements": self._next(found_rivals),
-            "parameter_shifts": self._shifts(),
-            "sensitivity_shift": _sensitivity_shift(machine, augmented),
-            "refused_names": self._refused(),
-            "remainder": self._remainder_words(),
-            "outliers": self._outliers(),
-            "findings": [
-                {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
-                for f in readings.findings
-            ]
-            + flipped_findings(self.flipped),
-        }
-        tell(1.0, "done")
-        return Outcome(report, augmented, readings, residuals, outcome.covariance_table(self.full), tracer.log)
+@dataclass(frozen=True)
+class _Final:
+    """The final model: its one fit, and what follows from it."""
 
-    def _others(self, step: Step) -> list[Candidate]:
+    state: State
+    declared: Fit
+    left: Rest
+
+    @cached_property
+    def model(self) -> list[ScoredTerm]:
+        return [*[s.candidate for s in self.state.named], *self.left.smooth]
+
+    @cached_property
+    def full(self) -> Fit:
+        return self.state.fit_with(self.model)
+
+    @cached_property
+    def blocks(self) -> list[slice]:
+        """The coefficients of each member of the model."""
+        at, out = len(self.full.design.terms), []
+        for c in self.model:
+            width = c.vectors(self.state.problem.readings.columns).shape[1]
+            out.append(slice(at, at + width))
+            at += width
+        return out
+
+    @cached_property
+    def fitted(self) -> list[ScoredTerm]:
+        """The members of the model with their final coefficients."""
+        return [replace(c, coefficients=self.full.coefficients[b]) for c, b in zip(self.model, self.blocks)]
+
+    @cached_property
+    def named(self) -> list[Step]:
+        return [replace(s, candidate=c) for s, c in zip(self.state.named, self.fitted)]
+
+    @property
+    def smooth(self) -> list[ScoredTerm]:
+        return self.fitted[len(self.named) :]
+
+    def others(self, step: Step) -> list[ScoredTerm]:
         return [s.candidate for s in self.named if s is not step] + self.smooth
 
     # -- effects ---------------------------------------------------------------------------------------------------
-    def _effects(self):
-        tracer = self.tracer
-        at = len(tracer.design.terms)
-        out = []
-        names: set[str] = set()
-        for i, c in enumerate(self.model):
-            vectors = c.vectors(tracer.readings.columns)
-            block = slice(at, at + vectors.shape[1])
-            at += vectors.shape[1]
-            coefficients = self.full.coefficients[block]
-            final = Candidate(c.symbol, c.regressor, c.gain, coefficients, c.visible, c.handicap)
-            motion = vectors @ coefficients
+    @cached_property
+    def effects(self) -> list:
+        """The model as effects of the machine, each under its own name."""
+        out, names = [], set()
+        readings = self.state.problem.readings
+        for i, (c, block) in enumerate(zip(self.fitted, self.blocks)):
+            motion = c.vectors(readings.columns) @ c.coefficients
             if i < len(self.named):
-                name = str(describe(c.symbol, c.driver, c.shape))
-                self.named[i].candidate = final
+                name, uncertainty = str(describe(c.symbol, c.driver, c.shape)), self._uncertainty(c, i)
             else:
-                name = f"unnamed remainder: {c.symbol} by {c.driver.words('and')}"
-                self.smooth[i - len(self.named)] = final
+                name, uncertainty = f"unnamed remainder: {c.symbol} by {c.driver.words('and')}", {}
             while name in names:
                 name += " (again)"
             names.add(name)
-            uncertainty = self._parameter_uncertainty(final, i) if i < len(self.named) else {}
             reach = (float(motion.min()), float(motion.max()))
-            units = tracer.readings.units
-            out.append(to_effect(name, final, self.full.covariance[block, block], uncertainty, units, reach))
+            covariance = self.full.covariance[block, block]
+            out.append(to_effect(name, c, covariance, uncertainty, readings.units, reach))
         return out
 
-    def _parameter_uncertainty(self, c: Candidate, i: int) -> dict[str, float]:
-        """Standard uncertainty of a profiled parameter from the curvature of chi-square."""
-        tracer = self.tracer
-        others = [m for j, m in enumerate(self.model) if j != i]
-        rows = tracer.rows_with(self.full, others)
+    def _uncertainty(self, c: ScoredTerm, i: int) -> dict[str, float]:
+        """Standard uncertainty of the parameters that were searched for, from the curvature of chi-square."""
+        columns = self.state.problem.readings.columns
+        rows = self.state.rows_with(self.full, [m for j, m in enumerate(self.model) if j != i])
+        driven = c.driver.values(columns)
         out = {}
-        driven = c.driver.values(tracer.readings.columns)
         for key in c.shape.fitted:
             value, search = c.shape.values[key], c.shape.parameters[key].search
             if isinstance(search, Levels):
@@ -135,249 +173,186 @@ class TraceReport:
                 continue
 
             def gain(v, key=key):
-                vectors = c.regressor.having(**{key: v}).vectors(tracer.readings.columns)
-                return exact_gain(rows, c.index, vectors)[0]
+                return exact_gain(rows, c.index, c.regressor.having(**{key: v}).vectors(columns))[0]
 
             step = search.step(value, float(np.ptp(driven)))
             curve = (2 * gain(value) - gain(value + step) - gain(value - step)) / step**2
             out[key] = float(np.sqrt(2 / curve)) if curve > 0 else float(value)
         return out
 
-    def _findings(self, effects, found_rivals) -> list[dict]:
-        out = []
-        for step, effect, around in zip(self.named, effects, found_rivals):
-            c = step.candidate
-            entry = {
-                "name": effect.name,
-                "component": effect.component,
-                "driver": str(effect.driver),
-                "shape": effect.shape.name,
-                "parameters": {k: v.to_dict() for k, v in shown(effect, component(c.symbol)).items()},
-                "amplitude_um": self.tracer.amplitude_um(c),
-                "p_familywise": step.p,
-                "selection_frequency": step.selection,
-                "held_out_gain_chi2": {"value": step.gain[0], "u": step.gain[1]},
-                "visible_share": c.visible,
-                "size_over_noise": step.size,
-                "rivals": [_rival_entry(r) for r in around],
-            }
-            match = physical(c.symbol, c.driver, c.shape)
-            if match:
-                entry |= {"catalogue": match.key, "usual_size": str(match.size), "check": str(match.check)}
-            if c.shape.wave:
-                alias = aliases(self.tracer, c, self._others(step))
-                if alias:
-                    listed = ", ".join(f"{p:.4g}" for p in [c.shape.period, *alias])
-                    entry["alias_periods"] = alias
-                    entry["note"] = (
-                        f"aliased: the spacing of the places cannot tell the periods {listed} mm apart; "
-                        "measure at a finer, irregular pitch"
-                    )
-            out.append(entry)
-        if self.hidden:
-            h = self.hidden
-            unit = "urad" if h.symbol[1] in "ABC" else "um"
-            out.append(
-                {
-                    "name": f"unlogged driver: {h.symbol} moves from reading to reading"
-                    + (f", in proportion to {h.place}" if h.place else ""),
-                    "component": h.symbol,
-                    "driver": f"unlogged*{h.place}" if h.place else "unlogged",
-                    "shape": "random",
-                    "parameters": {
-                        "rms": {
-                            "value": h.rms * (1e6 if unit == "urad" else 1e3),
-                            "unit": f"{unit}/mm" if h.place else unit,
-                        }
-                    },
-                    "amplitude_um": self._unlogged_amplitude(h),
-                    "p_familywise": h.p,
-                    "selection_frequency": 1.0,
-                    "rivals": [],
-                }
-            )
-        return out
-
-    def _unlogged_amplitude(self, h: Unlogged) -> float:
-        """3-D rms over the points, um, of a component that moves by h.rms from reading to reading."""
-        readings = self.tracer.readings
-        column = omega(self.tracer.machine, [h.symbol], readings.q, readings.tool_offset)[:, :, 0]
-        place = readings.columns[h.place] if h.place else np.ones(readings.points)
-        return 1e3 * h.rms * float(np.sqrt(((column * place[:, None]) ** 2).sum(axis=1).mean()))
-
     # -- before and after ------------------------------------------------------------------------------------------
-    def _before_and_after(self):
-        tracer, readings = self.tracer, self.tracer.readings
-        used = self.full.weight > 0
-        rows = tracer.row_block
-        nuisance = [i for i, t in enumerate(self.full.design.terms) if t.group != "declared"]
-        declared = list(range(len(self.full.design.terms)))
-        extra = tracer.columns_of(self.model)
-        x = self.full.design.matrix if extra is None else np.concatenate([self.full.design.matrix, extra], axis=1)
-        every = list(range(x.shape[1]))
+    @cached_property
+    def before_and_after(self):
+        """({stage: StageError}, {name: residuals (R,) um})."""
+        state, full = self.state, self.full
+        readings, used = state.problem.readings, full.weight > 0
+        terms = full.design.terms
+        extra = state.problem.columns_of(self.model)
+        x = full.design.matrix if extra is None else np.concatenate([full.design.matrix, extra], axis=1)
+        columns = (
+            [i for i, t in enumerate(terms) if t.group != "declared"],
+            list(range(len(terms))),
+            list(range(x.shape[1])),
+        )
         y = readings.value
         residuals, table = {}, {}
-        for name, columns in (("uncorrected", nuisance), ("declared", declared), ("augmented", every)):
-            inside = _weighted_residual(x[:, columns], y, self.full.weight)
-            outside = outcome.held_out_rows(columns, self.full, rows, y, x)
-            residuals[name], residuals[name + "_held_out"] = inside * 1e3, outside * 1e3
-            table[name] = {
-                "in_sample": outcome.metrics(inside * 1e3, readings, used),
-                "held_out": outcome.metrics(outside * 1e3, readings, used)
-                | {"rms_interval_um": outcome.interval(outside * 1e3, readings, tracer.block, used, tracer.seed)},
-            }
-        table["note"] = (
-            "alignment of the set-up is fitted in all three; outliers are left out of all three; held out: whole "
-            "blocks of consecutive readings, predicted by a fit of the others with the shapes as found"
-        )
+        for name, own in zip(STAGES, columns):
+            inside = _residual(x[:, own], y, full) * 1e3
+            outside = scores.held_out_rows(own, full, state.row_block, y, x) * 1e3
+            residuals[name], residuals[name + "_held_out"] = inside, outside
+            table[name] = StageError(
+                scores.metrics(inside, readings, used),
+                scores.metrics(outside, readings, used),
+                tuple(scores.interval(outside, readings, state.block, used, state.problem.seed)),
+            )
         residuals["used"] = used
         return table, residuals
 
-    def _noise(self, residuals) -> dict:
-        readings, used = self.tracer.readings, self.full.weight > 0
-        stated = readings.u[used & np.isfinite(readings.u)]
-        pure = outcome.replicates(readings, residuals["augmented"], used)
-        return {
-            "stated_um": float(np.sqrt((stated**2).mean()) * 1e3) if len(stated) else None,
-            "pure_error_um": pure,
-            "residual_um": float(np.sqrt(np.mean([v**2 for v in self.full.noise.values()])) * 1e3),
-            "per_direction_um": {"xyz*"[k]: v * 1e3 for k, v in self.full.noise.items()},
-        }
-
-    # -- words -----------------------------------------------------------------------------------------------------
-    def _depends_on(self) -> list[dict]:
+    # -- what is left ----------------------------------------------------------------------------------------------
+    @property
+    def depends_on(self) -> tuple[tuple[str, float], ...]:
+        """(column, p), smallest p first."""
         found: dict[str, float] = {}
+
+        def note(columns, p: float):
+            for name in columns:
+                found[name] = min(p, found.get(name, 1.0))
+
         for step in self.named:
-            for name in step.candidate.driver.columns:
-                found[name] = min(step.p, found.get(name, 1.0))
-        if self.structured:
-            places = [s.columns for s in [self.remainder.structure] if s is not None]
+            note(step.candidate.driver.columns, step.p)
+        if self.left.structured:
+            first = self.left.first
+            places = [first.structure.columns] if first.structure is not None else []
             places += [c.driver.columns for c in self.smooth]
             for columns in places:
-                for name in columns:
-                    found[name] = min(self.remainder.p, found.get(name, 1.0))
+                note(columns, first.p)
             if not places:
-                for step in self.tracer.steps:
-                    for name in step.candidate.driver.columns:
-                        found[name] = min(step.p, found.get(name, 1.0))
-        return [{"column": k, "p": v} for k, v in sorted(found.items(), key=lambda item: item[1])]
+                for step in self.state.steps:
+                    note(step.candidate.driver.columns, step.p)
+        return tuple(sorted(found.items(), key=lambda item: item[1]))
 
-    def _not_identifiable(self) -> list[str]:
-        """Catalogue-like candidates that this plan could not see beside the declared model, by name."""
-        tracer = self.tracer
-        rows = tracer.rows(self.full)
+    @property
+    def not_identifiable(self) -> tuple[Message, ...]:
+        """Tilts of one axis by the place along another that this plan cannot show beside the declared model."""
+        problem = self.state.problem
+        rows = self.state.rows(self.full)
+        bodies = problem.machine.workpiece_chain + problem.machine.tool_chain
         out = []
-        for body, along in (("X", "Y"), ("X", "Z"), ("Y", "X"), ("Y", "Z"), ("Z", "X"), ("Z", "Y")):
-            name = along.lower()
-            if name not in tracer.names:
-                continue
-            for letter in "ABC":
-                symbol = f"E{letter}{body}"
-                if symbol not in ALL_SYMBOLS:
-                    continue
-                v = tracer.readings.columns[name][:, None]
-                _, _, share = exact_gain(rows, ALL_SYMBOLS.index(symbol), v)
-                if share < 0.05:
-                    out.append(
-                        f"{symbol} driven by {name}: {max(share, 0.0):.0%} of it would show beside the declared model"
-                    )
-        return out
+        for body in sorted(bodies):
+            for along in sorted(set(bodies) - {body}):
+                name = along.lower()
+                for symbol in (f"E{letter}{body}" for letter in "ABC"):
+                    if name not in problem.names or symbol not in ALL_SYMBOLS:
+                        continue
+                    vectors = problem.readings.columns[name][:, None]
+                    share = max(exact_gain(rows, ALL_SYMBOLS.index(symbol), vectors)[2], 0.0)
+                    if share < self.state.settings.visible:
+                        out.append(Message("not-identifiable", component=symbol, driver=name, share=share))
+        return tuple(out)
 
-    def _next(self, found_rivals) -> list[dict]:
+    def advice(self, found_rivals) -> tuple[NextMeasurement, ...]:
+        """What to measure next."""
         out = []
         for step, around in zip(self.named, found_rivals):
-            seen: set[Driver] = set()
-            for rival in around:
-                if len(out) >= 6 or rival.candidate.driver in seen:
-                    continue
-                seen.add(rival.candidate.driver)
-                out.append(separating_measurement(self.tracer, step.candidate, rival, self._others(step)))
-        if self.structured and self.remainder.structure is not None:
-            columns = " and ".join(self.remainder.structure.columns)
-            out.append(
-                {
-                    "separates": [f"effects that act through {columns}"],
-                    "do": f"vary {columns} one at a time with everything else held, "
-                    "and log what else changes with time",
-                    "predicted_difference_um": self.remainder.size
-                    * float(np.mean(list(self.full.noise.values())))
-                    * 1e3,
-                }
-            )
-        return out
+            seen: set[str] = set()
+            for rival, candidate in around:
+                if len(out) < MOST_ADVICE and rival.driver not in seen:
+                    seen.add(rival.driver)
+                    out.append(separating_measurement(self.state, step.candidate, candidate, self.others(step)))
+        structure = self.left.first.structure
+        if self.left.structured and structure is not None:
+            columns = list(structure.columns)
+            size = self.left.first.size * float(np.mean(list(self.full.noise.values())))
+            through, vary = Message("next-through", columns=columns), Message("next-vary", columns=columns)
+            out.append(NextMeasurement((through,), vary, size))
+        return tuple(out)
 
-    def _shifts(self) -> list[dict]:
+    @property
+    def shifts(self) -> tuple[ParameterShift, ...]:
         """Declared parameters that moved by more than their uncertainty when the effects joined."""
-        out = []
-        for i, term in enumerate(self.full.design.terms):
-            if term.group != "declared" or not (self.full.determined[i] and self.declared.determined[i]):
+        full, declared, out = self.full, self.declared, []
+        for i, term in enumerate(full.design.terms):
+            if term.group != "declared" or not (full.determined[i] and declared.determined[i]):
                 continue
-            scale = 1e6 if term.symbol[1] in "ABC0" or term.symbol in ("A0Z", "B0Z", "C0Y") else 1e3
-            u = float(np.sqrt(max(self.full.covariance[i, i], 0.0))) * scale
-            before, after = self.declared.coefficients[i] * scale, self.full.coefficients[i] * scale
+            u = float(np.sqrt(max(full.covariance[i, i], 0.0)))
+            before, after = float(declared.coefficients[i]), float(full.coefficients[i])
             if u > 0 and abs(after - before) > u:
-                unit = "urad" if scale == 1e6 else "um"
-                out.append({"parameter": term.label, "before": before, "after": after, "u": u, "unit": unit})
-        return sorted(out, key=lambda e: -abs(e["after"] - e["before"]) / e["u"])
+                out.append(ParameterShift(term.label, before, after, u, component(term.symbol).angular))
+        return tuple(sorted(out, key=lambda s: -abs(s.after - s.before) / s.u))
 
-    def _refused(self) -> list[dict]:
-        return [
-            {
-                "component": s.candidate.symbol,
-                "driver": str(s.candidate.driver),
-                "shape": s.candidate.shape.name,
-                "p_familywise": s.p,
-                "why": s.refused,
-            }
-            for s in self.tracer.steps
-            if s.refused
-        ]
+    @property
+    def leftover(self) -> Leftover:
+        """What is left, in words and numbers."""
+        r, alpha = self.left.first, self.state.settings.alpha
+        if self.left.structured:
+            words = [Message("left-structure")]
+        elif r.p < alpha:
+            words = [Message("left-below-floor")]
+        else:
+            words = [Message("left-noise")]
+        if self.state.roughness and not self.left.structured:
+            words.append(Message("left-roughness"))
+        if r.structure is None or r.p >= alpha:
+            return Leftover(tuple(words), r.p, r.size)
+        return Leftover(tuple(words), r.p, r.size, surface_candidate(r.structure).symbol, tuple(r.structure.columns))
 
-    def _remainder_words(self) -> dict:
-        r = self.remainder
-        words = "nothing beyond noise" if r.p >= ALPHA else "structure above the floor"
-        if r.p < ALPHA and not self.structured:
-            words = "structure below the floor: a short-wave remainder, not named"
-        elif self.structured:
-            words = "structure above the floor that no named effect explains"
-        if self.tracer.roughness and not self.structured:
-            words += "; short waves along the axes (roughness), not named"
-        out = {"words": words, "p": r.p, "rms_over_noise": r.size}
-        if r.structure is not None and r.p < ALPHA:
-            out |= {"component": surface_candidate(r.structure).symbol, "columns": list(r.structure.columns)}
-        return out
-
-    def _outliers(self) -> list[dict]:
-        readings = self.tracer.readings
+    @property
+    def outliers(self) -> tuple[Outlier, ...]:
+        readings = self.state.problem.readings
         points = np.unique(readings.point[self.full.weight == 0])
-        return [
-            {"line": int(readings.line[p]) if readings.line is not None else 0, "position_mm": readings.q[p].tolist()}
-            for p in points
-        ]
+        lines = np.zeros(readings.points, dtype=int) if readings.line is None else readings.line
+        return tuple(Outlier(int(lines[p]), tuple(readings.q[p].tolist())) for p in points)
 
 
-def _rival_entry(r: Rival) -> dict:
-    c = r.candidate
-    return {"component": c.symbol, "driver": str(c.driver), "shape": c.shape.name, "why": r.why}
+def _named(final: _Final, step: Step, effect, around) -> NamedEffect:
+    c = step.candidate
+    match = physical(c.symbol, c.driver, c.shape)
+    periods = tuple(aliases(final.state, c, final.others(step))) if c.shape.wave else ()
+    note = Message("finding-aliased", periods=[c.shape.period, *periods]) if periods else None
+    return NamedEffect(
+        effect=effect,
+        title=describe(c.symbol, c.driver, c.shape),
+        amplitude=final.state.problem.amplitude(c),
+        p=step.p,
+        selection=step.selection,
+        gain=step.gain,
+        visible=c.visible,
+        size=step.size,
+        rivals=tuple(rival for rival, _ in around),
+        catalogue="" if match is None else match.key,
+        usual=match and match.size,
+        check=match and match.check,
+        aliases=periods,
+        note=note,
+    )
 
 
-def _weighted_residual(x, y, weight) -> np.ndarray:
-    w = weight[:, None]
-    solution, *_ = np.linalg.lstsq(x * w / _norms(x * w), y * weight, rcond=1e-9)
-    return y - (x / _norms(x * w)) @ solution
+def _hidden(state: State, motion) -> HiddenMotion:
+    """A motion that nobody logged, with its 3-D rms over the points."""
+    readings = state.problem.readings
+    column = omega(state.problem.machine, [motion.symbol], readings.q, readings.tool_offset)[:, :, 0]
+    place = readings.columns[motion.place] if motion.place else np.ones(readings.points)
+    amplitude = motion.rms * float(np.sqrt(((column * place[:, None]) ** 2).sum(axis=1).mean()))
+    code = "hidden-motion-along" if motion.place else "hidden-motion"
+    fields = {"place": motion.place} if motion.place else {}
+    return HiddenMotion(motion, Message(code, component=motion.symbol, **fields), amplitude)
 
 
-def _norms(x) -> np.ndarray:
-    size = np.linalg.norm(x, axis=0)
-    return np.where(size > 0, size, 1.0)
+def _residual(x, y, fitted: Fit) -> np.ndarray:
+    """(R,) residual of a fit of columns x (R, n) under the weights and the memory of `fitted`; mm."""
+    white = fitted.white(x)
+    size = np.linalg.norm(white, axis=0)
+    size = np.where(size > 0, size, 1.0)
+    solution, *_ = np.linalg.lstsq(white / size, fitted.white(y), rcond=1e-9)
+    return y - (x / size) @ solution
 
 
-def _sensitivity_shift(before: Machine, after: Machine) -> list[dict]:
-    """Total indices before and after the effects joined, by name."""
+def _sensitivity_shift(before: Machine, after: Machine) -> tuple[IndexShift, ...]:
+    """Total indices before and after the effects joined, largest first; () where nothing varies."""
     try:
         old, new = sensitivity(before, estimate=False), sensitivity(after, estimate=False)
     except Refused:
-        return []
+        return ()
     table = dict(zip(old.symbols, old.total.tolist()))
-    rows = [{"symbol": s, "before": table.get(s), "after": float(t)} for s, t in zip(new.symbols, new.total.tolist())]
-    return sorted(rows, key=lambda r: -r["after"])
+    rows = [IndexShift(s, table.get(s), float(t)) for s, t in zip(new.symbols, new.total.tolist())]
+    return tuple(sorted(rows, key=lambda r: -r.after))

@@ -7,28 +7,22 @@ refitting.  A more general shape of the same motion and columns always does, and
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ..core.driver import DIRECTIONS, POSITIONS
 from ..core.errors import component
 from ..core.synthesis import omega
+from ..messages import Message
 from . import evidence
 from .design import ALL_SYMBOLS, declared_columns
+from .problem import State, Step
+from .result import NextMeasurement, Rival
 from .scan import exact_gain
-from .search import Candidate, handicap
-from .tracer import RIVAL, Step, Tracer
+from .search import ScoredTerm, handicap
 
-HELD_OUT_RANGE = 16.0  # beyond this loss in chi-square block noise alone makes "within two standard errors" vacuous
-
-
-@dataclass(frozen=True)
-class Rival:
-    candidate: Candidate
-    loss: float  # of chi-square against the finding
-    why: str
-    same: bool  # the very same column
+SAME_TRACE = 1 - 1e-9  # cosine of two columns, projected
 
 
 def _alike(a: str, b: str) -> bool:
@@ -36,11 +30,11 @@ def _alike(a: str, b: str) -> bool:
     return a == b or (not ca.angular and not cb.angular and ca.axis == cb.axis)
 
 
-def _place(c: Candidate) -> tuple[str, str]:
+def _place(c: ScoredTerm) -> tuple[str, str]:
     return c.symbol, str(c.driver)
 
 
-def _more_general(rival: Candidate, finding: Candidate) -> bool:
+def _more_general(rival: ScoredTerm, finding: ScoredTerm) -> bool:
     """The same motion and columns through a shape with more freedom - but a warm-up is no padding of a trend."""
     if not _alike(rival.symbol, finding.symbol) or rival.shape.warm_up:
         return False
@@ -48,22 +42,22 @@ def _more_general(rival: Candidate, finding: Candidate) -> bool:
     return rival.driver.names == finding.driver.names and freedom(rival) > freedom(finding)
 
 
-def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
+def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
     """Rivals of one finding beside the other effects, most physical first."""
-    finding = step.candidate
-    full = tracer.fit_with([*others, finding])
-    rows = tracer.rows_with(full, others)
-    columns = tracer.readings.columns
-    pool: list[tuple[Candidate, float]] = []
+    finding, settings, problem = step.candidate, state.settings, state.problem
+    full = state.fit_with([*others, finding])
+    rows = state.rows_with(full, others)
+    columns = problem.readings.columns
+    pool: list[tuple[ScoredTerm, float]] = []
     for c in step.pool:
         if c.key == finding.key:
             continue
         gain, coefficients, visible = exact_gain(rows, c.index, c.vectors(columns))
         loss = finding.gain - gain
-        c = Candidate(c.symbol, c.regressor, gain, coefficients, visible, c.handicap)
-        if loss < HELD_OUT_RANGE and not _more_general(c, finding):
+        c = replace(c, gain=gain, coefficients=coefficients, visible=visible)
+        if loss < settings.rival_range and not _more_general(c, finding):
             pool.append((c, loss))
-    group = next((g for g in tracer.groups if finding.index in g), [])
+    group = next((g for g in problem.groups if finding.index in g), [])
     for i in group:  # bodies that move alike: nothing at the tool tells them apart
         if i != finding.index:
             symbol = ALL_SYMBOLS[i]
@@ -72,35 +66,38 @@ def rivals(tracer: Tracer, step: Step, others) -> list[Rival]:
                 pool.append((mirror, 0.0))
     if not pool:
         return []
-    grams, base, mine = tracer.grams(full, others, [finding] + [c for c, _ in pool])
+    grams, base, mine = state.grams(full, others, [finding] + [c for c, _ in pool])
     reference = grams.held_out(base + mine[0])
-    found: list[Rival] = []
-    shown: list[tuple[Candidate, np.ndarray]] = []
-    own = _trace_of(tracer, finding, rows)
+    found: list[tuple[Rival, ScoredTerm]] = []
+    shown: list[tuple[ScoredTerm, np.ndarray]] = []
+    own = _trace_of(finding, rows, columns)
+
+    def put(c: ScoredTerm, loss: float, why: Message, same: bool):
+        found.append((Rival(c.symbol, str(c.driver), c.shape.name, float(loss), why, same), c))
+
     for (c, loss), place in sorted(zip(pool, mine[1:]), key=lambda item: (item[0][0].handicap, item[0][1])):
-        trace = _trace_of(tracer, c, rows)
-        if _cosine(own, trace) > 1 - 1e-9:
-            found.append(Rival(c, 0.0, "leaves the same trace in these readings", True))
+        trace = _trace_of(c, rows, columns)
+        if _cosine(own, trace) > SAME_TRACE:
+            put(c, 0.0, Message("rival-same-trace"), True)
             continue
-        if any(_cosine(trace, t) > 1 - 1e-9 or _place(c) == _place(s) for s, t in shown):
+        if any(_cosine(trace, t) > SAME_TRACE or _place(c) == _place(s) for s, t in shown):
             continue  # one name for each trace, one shape for each component and driver
-        if loss < RIVAL:
-            why = f"explains as much but for {max(loss, 0.0):.1f} in chi-square"
+        if loss < settings.rival:
+            why = Message("rival-as-much", loss=max(loss, 0.0))
         else:
             gain, error = evidence.gain_statistics(grams.held_out(base + place), reference)
             if gain > 2 * error:
                 continue
-            why = f"predicts left-out blocks as well (difference {gain:.1f} +- {error:.1f} in chi-square)"
+            why = Message("rival-predicts", gain=gain, error=error)
         shown.append((c, trace))
-        found.append(Rival(c, float(loss), why, False))
-    return sorted(found, key=lambda r: (not r.same, r.candidate.handicap))
+        put(c, loss, why, False)
+    return sorted(found, key=lambda r: (not r[0].same, r[1].handicap))
 
 
-def _trace_of(tracer: Tracer, c: Candidate, rows) -> np.ndarray:
-    """(R,) weighted, projected contribution of a candidate."""
-    counts = np.diff(np.r_[rows.start, len(rows.residual)])
-    x = rows.lever[:, c.index] * np.repeat(c.vectors(tracer.readings.columns) @ c.coefficients, counts)
-    return x - rows.q @ (rows.q.T @ x)
+def _trace_of(c: ScoredTerm, rows, columns) -> np.ndarray:
+    """(R,) whitened, projected contribution of a candidate."""
+    x = rows.white(rows.lever[:, c.index] * (c.vectors(columns) @ c.coefficients)[rows.point])
+    return x - rows.ortho @ (rows.ortho.T @ x)
 
 
 def _cosine(a, b) -> float:
@@ -108,56 +105,45 @@ def _cosine(a, b) -> float:
     return float(a @ b) / size if size > 0 else 0.0
 
 
-# -- what would tell them apart ------------------------------------------------------------------------------------
-def _conditions(tracer: Tracer, a: Candidate, b: Candidate):
-    """Feasible measurements, cheapest first: (words, q, columns, tool offset)."""
-    readings = tracer.readings
+# -- what would tell them apart ----------------------------------------------------------------------------------------
+def _conditions(state: State, a: ScoredTerm, b: ScoredTerm):
+    """Feasible measurements, cheapest first: (message, q, columns, tool offset)."""
+    problem = state.problem
+    readings = problem.readings
     q, columns = readings.q, dict(readings.columns)
     tool = np.zeros(3) if readings.tool_offset is None else readings.tool_offset
-    rng = np.random.default_rng(tracer.seed)
+    rng = np.random.default_rng(problem.seed)
     drivers = set(a.regressor.columns) | set(b.regressor.columns)
-    used = [n for n in tracer.names if n in drivers]
+    used = [n for n in problem.names if n in drivers]
     turned = [n for n in DIRECTIONS if n in columns]
     if turned:
-        yield (
-            "repeat the readings with the approach direction reversed",
-            q,
-            columns | {n: -columns[n] for n in turned},
-            tool,
-        )
+        yield Message("do-reverse"), q, columns | {n: -columns[n] for n in turned}, tool
     order = rng.permutation(len(q))
     moved = {n: (columns[n][order] if n in POSITIONS else columns[n]) for n in columns}
-    yield "repeat the same places in random order", q[order], moved, tool
-    low, high = tracer.machine.travel.T
+    yield Message("do-random-order"), q[order], moved, tool
+    low, high = problem.machine.travel.T
     fresh = low + (high - low) * rng.random(q.shape)
-    placed = columns | {n: fresh[:, i] for i, n in enumerate(POSITIONS)}
-    yield "measure at scattered places that stand on no regular grid", fresh, placed, tool
+    placed = columns | {n.lower(): fresh[:, i] for i, n in enumerate(problem.machine.names)}
+    yield Message("do-scattered"), fresh, placed, tool
     for name in used:
         if name.startswith("load_"):
             shift = max(float(np.ptp(columns[name])), 100.0)
-            yield f"repeat with {shift:.0f} kg more on {name[5:]}", q, columns | {name: columns[name] + shift}, tool
+            yield Message("do-load", mass=shift, on=name[5:]), q, columns | {name: columns[name] + shift}, tool
         elif name in ("feed", "spindle"):
-            yield f"repeat at twice the {name}", q, columns | {name: 2 * columns[name]}, tool
+            yield Message("do-twice", column=name), q, columns | {name: 2 * columns[name]}, tool
     for name in used:
         if name.startswith("temp_"):
-            words = f"warm {name[5:]} alone by 3 K and repeat"
-            yield words, q, columns | {name: columns[name] + 3.0}, tool
+            yield Message("do-warm", what=name[5:], kelvin=3), q, columns | {name: columns[name] + 3.0}, tool
     if "t" in used:
-        span = float(np.ptp(columns["t"]))
-        yield (
-            "repeat after as long again, with the temperatures as they were",
-            q,
-            columns | {"t": columns["t"] + span},
-            tool,
-        )
-    yield "repeat with a tool 150 mm longer", q, columns, tool - np.array([0.0, 0.0, 150.0])
-    yield "repeat with the probe 100 mm to the side in x", q, columns, tool + np.array([100.0, 0.0, 0.0])
-    yield "repeat with the probe 100 mm to the side in y", q, columns, tool + np.array([0.0, 100.0, 0.0])
+        yield Message("do-later"), q, columns | {"t": columns["t"] + float(np.ptp(columns["t"]))}, tool
+    yield Message("do-longer-tool", mm=150), q, columns, tool - np.array([0.0, 0.0, 150.0])
+    yield Message("do-probe-aside", mm=100, axis="x"), q, columns, tool + np.array([100.0, 0.0, 0.0])
+    yield Message("do-probe-aside", mm=100, axis="y"), q, columns, tool + np.array([0.0, 100.0, 0.0])
 
 
-def _prediction(tracer: Tracer, fitted, candidates, q, columns, tool) -> np.ndarray:
+def _prediction(state: State, fitted, candidates, q, columns, tool) -> np.ndarray:
     """(P, 3) mm predicted by a fit with its candidates, alignment included, run and tool offsets left out."""
-    machine = tracer.machine
+    machine = state.problem.machine
     terms = [t for t in fitted.design.terms if t.group in ("declared", "alignment")]
     keep = [i for i, t in enumerate(fitted.design.terms) if t.group in ("declared", "alignment")]
     values = declared_columns(machine, [t if t.group == "declared" else replace(t, order=0) for t in terms], q)
@@ -172,54 +158,51 @@ def _prediction(tracer: Tracer, fitted, candidates, q, columns, tool) -> np.ndar
     return out
 
 
-def separating_measurement(tracer: Tracer, finding: Candidate, rival: Rival, others) -> dict:
-    """The cheapest further measurement that would separate a finding from a rival: SPEC's `next_measurements` entry."""
-    c = rival.candidate
-    sigma = float(np.mean(list(tracer.fit_with([*others, finding]).noise.values())))
-    a = tracer.fit_with([*others, finding])
-    b = tracer.fit_with([*others, c])
-    best = ("", 0.0)
-    for words, q, columns, tool in _conditions(tracer, finding, c):
-        difference = _prediction(tracer, a, [*others, finding], q, columns, tool)
-        difference = difference - _prediction(tracer, b, [*others, c], q, columns, tool)
+def _seen(readings, vectors) -> np.ndarray:
+    """(P,) size of vectors (P, 3) along the directions in which each point was read."""
+    along = np.einsum("ra,ra->r", vectors[readings.point], readings.sense)
+    return np.sqrt(np.bincount(readings.point, weights=along**2, minlength=readings.points))
+
+
+def separating_measurement(state: State, finding: ScoredTerm, rival: ScoredTerm, others) -> NextMeasurement:
+    """The cheapest further measurement that would separate a finding from a rival, sensed as the readings were."""
+    problem = state.problem
+    a, b = state.fit_with([*others, finding]), state.fit_with([*others, rival])
+    sigma = float(np.mean(list(a.noise.values())))
+    best: tuple[Message | None, float] = (None, 0.0)
+    for do, q, columns, tool in _conditions(state, finding, rival):
+        difference = _prediction(state, a, [*others, finding], q, columns, tool)
+        difference = difference - _prediction(state, b, [*others, rival], q, columns, tool)
         difference -= difference.mean(axis=0)  # a new set-up is aligned again
-        size = float(np.sqrt((difference**2).sum(axis=1)).max())
+        size = float(_seen(problem.readings, difference).max())
         if size > 1.5 * best[1]:
-            best = (words, size)
+            best = (do, size)
         if size > 4 * sigma:
-            best = (words, size)
+            best = (do, size)
             break
-    words, size = best
-    if size < 0.5 * sigma:
-        bodies = sorted({component(finding.symbol).body, component(c.symbol).body})
-        words = (
-            f"no reading at the tool separates them: watch the bodies {' and '.join(bodies)} with a displacement "
-            "sensor or an autocollimator"
-            if len(bodies) > 1
-            else "change one of the columns alone: they went together in all readings"
-        )
-        size = tracer.amplitude_um(finding) * 1e-3
-    return {
-        "separates": [_words(finding), _words(c)],
-        "do": words,
-        "predicted_difference_um": size * 1e3,
-    }
+    do, size = best
+    if do is None or size < 0.5 * sigma:
+        bodies = sorted({component(finding.symbol).body, component(rival.symbol).body})
+        do = Message("do-watch-bodies", bodies=bodies) if len(bodies) > 1 else Message("do-change-one")
+        size = problem.amplitude(finding)
+    return NextMeasurement((_words(finding), _words(rival)), do, size)
 
 
-def _words(c: Candidate) -> str:
-    return f"{c.symbol} by {c.driver}" + ("" if c.shape.proportional else f" ({c.shape.name})")
+def _words(c: ScoredTerm) -> Message:
+    if c.shape.proportional:
+        return Message("driven-by", component=c.symbol, driver=str(c.driver))
+    return Message("driven-by-shaped", component=c.symbol, driver=str(c.driver), shape=c.shape.words)
 
 
-def aliases(tracer: Tracer, finding: Candidate, others) -> list[float]:
-    """Periods (mm) that the readings cannot tell from a periodic finding's own: they lose less than 9 in chi-square."""
+def aliases(state: State, finding: ScoredTerm, others) -> list[float]:
+    """Periods (mm) that the readings cannot tell from a periodic finding's own: they lose less than a rival does."""
     period = finding.shape.period
-    full = tracer.fit_with([*others, finding])
-    rows = tracer.rows_with(full, others)
-    columns = tracer.readings.columns
+    rows = state.rows_with(state.fit_with([*others, finding]), others)
+    columns = state.problem.readings.columns
     values = np.unique(np.round(finding.driver.values(columns), 4))
     span = float(np.ptp(values))
     gaps = np.diff(values)
-    trial = [r.shape.period for r in tracer.bank if r.key == finding.regressor.key]
+    trial = [r.shape.period for r in state.problem.bank if r.key == finding.regressor.key]
     if float(np.ptp(gaps)) < 0.02 * float(gaps.mean()):  # one regular grid: every fold is an alias
         step = float(gaps.mean())
         trial += [1 / abs(sign / period + n / step) for n in range(1, 6) for sign in (1, -1)]
@@ -230,7 +213,7 @@ def aliases(tracer: Tracer, finding: Candidate, others) -> list[float]:
         if f <= 0 or abs(f - 1 / period) < 1.0 / span:
             continue
         gain, _, _ = exact_gain(rows, finding.index, finding.regressor.having(period=1 / f).vectors(columns))
-        if finding.gain - gain < RIVAL:
+        if finding.gain - gain < state.settings.rival:
             found.append((1 / f, gain))
     best: list[float] = []
     for p, _ in sorted(found, key=lambda item: -item[1]):

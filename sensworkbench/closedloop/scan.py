@@ -9,11 +9,13 @@ per point, and cᵀMc needs the driver bank against Q alone: no candidate is eve
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from ..core.shapes import Regressor
 from .bank import log_tail
+from .noise import Memory
 
 CHUNK = 512  # bank entries at a time
 MOST_KEPT = 60_000  # rows; beyond, one component is kept at a time
@@ -22,23 +24,81 @@ MIN_VISIBLE = 0.02  # share of a candidate's square that the declared model cann
 
 @dataclass(frozen=True)
 class Rows:
-    """Weighted rows grouped by point: lever (R, C), residual (R,), both times weight; start (P,): first row of each."""
+    """Weighted rows grouped by point.
+
+    lever (R, C), times weight.  residual (R,): whitened, orthogonal to the model.  start (P,): first row of each point.
+    ortho (R, m): orthonormal basis of the whitened model.  memory : of the noise, or None where it is white; then
+    whitened means weighted.
+    """
 
     lever: np.ndarray
     residual: np.ndarray
     start: np.ndarray
-    q: np.ndarray  # (R, m) orthonormal basis of the weighted model
+    ortho: np.ndarray
+    memory: Memory | None = None
     kept: dict = field(default_factory=dict, repr=False, compare=False)
 
     def gather(self, x) -> np.ndarray:
+        """(P, ...) sums over the rows of each point."""
         return np.add.reduceat(x, self.start, axis=0)
+
+    def white(self, x) -> np.ndarray:
+        """Weighted rows (R,) or (R, m) whitened."""
+        return x if self.memory is None else self.memory.forward(x)
+
+    def pulled(self, x) -> np.ndarray:
+        """Whitened rows (R,) or (R, m) as what weighted columns are multiplied with: (white c)ᵀ x = cᵀ pulled(x)."""
+        return x if self.memory is None else self.memory.back(x)
+
+    @cached_property
+    def used(self) -> int:
+        """Number of rows that are no outliers."""
+        return max(int(self.lever.any(axis=1).sum()), 1)
+
+    @cached_property
+    def point(self) -> np.ndarray:
+        """(R,) point of each row."""
+        return np.repeat(np.arange(len(self.start)), np.diff(np.r_[self.start, len(self.residual)]))
+
+    @cached_property
+    def pairs(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, np.ndarray] | None:
+        """(first point, second point, row, row before, entry of the inverse covariance), or None for white noise."""
+        if self.memory is None:
+            return None
+        rows, before, entry = self.memory.neighbours
+        return self.point[before], self.point[rows], rows, before, entry
+
+    def squares(self, lever) -> np.ndarray:
+        """(P, C) what the square of a driver's value at each point counts, for weighted columns lever (R, C)."""
+        x = lever**2 if self.memory is None else lever**2 * self.memory.diagonal[:, None]
+        return self.gather(x)
+
+    def crossed(self, lever) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+        """(first point, second point, (pairs, C) what the product of the driver's values there counts), or None."""
+        if self.pairs is None:
+            return None
+        first, second, row, before, entry = self.pairs
+        value = entry[:, None] * lever[row] * lever[before]
+        where, owner = np.unique(first * len(self.start) + second, return_inverse=True)
+        total = np.zeros((len(where), lever.shape[1]))
+        np.add.at(total, owner.ravel(), value)
+        return where // len(self.start), where % len(self.start), total
+
+    def inner(self, component: int, vectors) -> np.ndarray:
+        """(m, m) inner products of a component times driver columns (P, m), before the model is taken out."""
+        squares, crossed = self.per_point(component)[1], self.kept[component][3]
+        out = (vectors * squares[:, None]).T @ vectors
+        if crossed is not None:
+            first, second, value = crossed
+            part = (vectors[first] * value).T @ vectors[second]
+            out = out + part + part.T
+        return out
 
     def flipped(self, signs) -> np.ndarray:
         """(B, R) residuals with their signs turned, projected, and as large as before the projection took its share."""
         turned = signs * self.residual
-        turned -= (turned @ self.q) @ self.q.T
-        used = max(int(self.lever.any(axis=1).sum()), 1)
-        return turned * np.sqrt(used / max(used - self.q.shape[1], 1))
+        turned -= (turned @ self.ortho) @ self.ortho.T
+        return turned * np.sqrt(self.used / max(self.used - self.ortho.shape[1], 1))
 
     def thinned(self, points) -> Rows:
         """The rows of some points (sorted indices) alone, with a basis and residuals of their own: those of all rows
@@ -48,25 +108,35 @@ class Rows:
         keep = np.zeros(len(self.start), dtype=bool)
         keep[points] = True
         mask = np.repeat(keep, size)
-        q, r = np.linalg.qr(self.q[mask])
-        solid = np.abs(np.diag(r)) > 1e-9
+        memory, residual, ortho = None, self.residual[mask], self.ortho[mask]
+        if self.memory is not None:
+            memory = self.memory.thinned(mask)
+            residual = memory.forward(self.memory.solve(self.residual)[mask])
+            ortho = memory.forward(self.memory.solve(self.ortho)[mask])
+        ortho, r = np.linalg.qr(ortho)
+        ortho = ortho[:, np.abs(np.diag(r)) > 1e-9]
         start = np.r_[0, np.cumsum(size[keep])[:-1]]
-        q, residual = q[:, solid], self.residual[mask]
-        return Rows(self.lever[mask], residual - q @ (q.T @ residual), start, q)
+        return Rows(self.lever[mask], residual - ortho @ (ortho.T @ residual), start, ortho, memory)
 
-    def per_point(self, component: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """(basis (P, m), squares (P,), residual (P,)) of one component, summed over each point's rows; kept."""
+    def per_point(self, component: int):
+        """(model (P, m), squares (P,), residual (P,), pairs) of one component, summed over each point's rows; kept."""
         if component not in self.kept:
             if len(self.residual) > MOST_KEPT:
                 self.kept.clear()
             lever = self.lever[:, [component]]
-            r = self.residual - self.q @ (self.q.T @ self.residual)
+            r = self.residual - self.ortho @ (self.ortho.T @ self.residual)
+            crossed = self.crossed(lever)
             self.kept[component] = (
-                self.gather(self.q * lever),
-                self.gather(lever**2)[:, 0],
-                self.gather(lever[:, 0] * r),
+                self.gather(self._pulled_ortho * lever),
+                self.squares(lever)[:, 0],
+                self.gather(lever[:, 0] * self.pulled(r)),
+                crossed,
             )
         return self.kept[component]
+
+    @cached_property
+    def _pulled_ortho(self) -> np.ndarray:
+        return self.pulled(self.ortho)
 
 
 @dataclass
@@ -85,39 +155,51 @@ class Scores:
 class Scanner:
     """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
 
-    def __init__(self, rows: Rows, shapes: list[Regressor], columns, places=None, points=None):
+    def __init__(self, rows: Rows, shapes: list[Regressor], places=None, v=None, columns=None):
         """places : component numbers to score (default all); components that move alike need one number only.
 
-        points : the points (of `columns`) that `rows` holds, where that is not all of them.
+        v : what `regressors` returns for the points of `rows`; else it is made from `columns`.
         """
         self.rows, self.shapes = rows, shapes
         self.places = np.arange(rows.lever.shape[1]) if places is None else np.asarray(places)
         self.lever = rows.lever if places is None else np.ascontiguousarray(rows.lever[:, self.places])
         self.width = np.array([s.size for s in shapes], dtype=int)
-        vectors, owner = [], []
-        for k, shape in enumerate(shapes):
-            v = shape.vectors(columns)
-            v = v if points is None else v[points]
-            vectors.append(v)
-            owner += [k] * v.shape[1]
-        v = np.concatenate(vectors, axis=1).T if vectors else np.zeros((0, len(rows.start)))
-        scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
-        self.v = np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0))
+        self.v = self.regressors(shapes, columns) if v is None else v
         self.first = np.cumsum(np.r_[0, self.width[:-1]]) if len(shapes) else np.zeros(0, int)
         self._denominators()
 
+    @staticmethod
+    def regressors(shapes: list[Regressor], columns, points=None) -> np.ndarray:
+        """(sum of sizes, P) the driver columns of all entries at rms 1, for some `points` of the columns or all."""
+        vectors = []
+        for shape in shapes:
+            v = shape.vectors(columns)
+            vectors.append(v if points is None else v[points])
+        count = len(next(iter(columns.values()))) if points is None else len(points)
+        v = np.concatenate(vectors, axis=1).T if vectors else np.zeros((0, count))
+        scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
+        return np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0))
+
     def _denominators(self):
         rows = self.rows
-        squares = rows.gather(self.lever**2)  # (P, C)
+        squares, crossed = rows.squares(self.lever), rows.crossed(self.lever)  # (P, C)
         components = self.lever.shape[1]
         total = (self.v**2) @ squares
         pairs = self.first[self.width == 2]
         cross = np.zeros((len(pairs), components))
         if len(pairs):
             cross = (self.v[pairs] * self.v[pairs + 1]) @ squares
+        if crossed is not None:
+            a, b, value = crossed
+            for k in range(0, len(self.v), CHUNK):
+                part = self.v[k : k + CHUNK]
+                total[k : k + CHUNK] += 2 * ((part[:, a] * part[:, b]) @ value)
+            for k in range(0, len(pairs), CHUNK):
+                one, two = self.v[pairs[k : k + CHUNK]], self.v[pairs[k : k + CHUNK] + 1]
+                cross[k : k + CHUNK] += (one[:, a] * two[:, b] + one[:, b] * two[:, a]) @ value
         shown = total.copy()
         for c in range(components):
-            a = rows.gather(rows.q * self.lever[:, [c]])  # (P, m)
+            a = rows.gather(rows._pulled_ortho * self.lever[:, [c]])  # (P, m)
             projected = self.v @ a
             shown[:, c] -= (projected**2).sum(axis=1)
             if len(pairs):
@@ -152,8 +234,8 @@ class Scanner:
     def scores(self, residual=None) -> Scores:
         rows = self.rows
         r = rows.residual if residual is None else residual
-        r = r - rows.q @ (rows.q.T @ r)
-        gain = self.gains(rows.gather(self.lever * r[:, None]))
+        r = r - rows.ortho @ (rows.ortho.T @ r)
+        gain = self.gains(rows.gather(self.lever * rows.pulled(r)[:, None]))
         tail = np.where((self.width == 2)[:, None], log_tail(gain, 2), log_tail(gain, 1))
         return Scores(self.shapes, gain, self.visible, np.where(self.valid, tail, 0.0))
 
@@ -177,7 +259,7 @@ class Scanner:
             block = flipped[begin : begin + batch]
             h = np.empty((p, len(block), components), dtype=np.float32)
             for j, r in enumerate(block):
-                h[:, j] = rows.gather(self.lever * r[:, None])
+                h[:, j] = rows.gather(self.lever * rows.pulled(r)[:, None])
             best1 = np.zeros(len(block))
             best2 = np.zeros(len(block))
             for k in range(0, len(v), CHUNK * 2):
@@ -197,8 +279,8 @@ class Scanner:
 
 def exact_gain(rows: Rows, component: int, vectors) -> tuple[float, np.ndarray, float]:
     """(drop of chi-square, coefficients, visible share) of one component x driver columns (P, m), projected exactly."""
-    across, squares, residual = rows.per_point(component)
-    inner = (vectors * squares[:, None]).T @ vectors
+    across, _, residual, _ = rows.per_point(component)
+    inner = rows.inner(component, vectors)
     shown = vectors.T @ across
     gram = inner - shown @ shown.T
     right = vectors.T @ residual

@@ -2,7 +2,7 @@
 """Search: the candidates that explain most of what a fit leaves, with their unknown parameters refined.
 
 Among candidates that explain the same, the plainer one is preferred: the body's own axis, a logged column before time,
-the simpler shape, fewer factors.  The preference is a handicap in chi-square, so that data can overrule it.
+the simpler shape, fewer factors (see `prior`).  The preference is a handicap in chi-square, which data can overrule.
 """
 
 from __future__ import annotations
@@ -13,20 +13,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.driver import POSITIONS, TIME, Driver
-from ..core.errors import ROTATION, SQUARENESS, TRANSLATION, component
+from ..core.driver import TIME, Driver
+from ..core.errors import component
 from ..core.parameters import Levels
 from ..core.shapes import Regressor, Shape
 from .bank import beside
 from .design import ALL_SYMBOLS
+from .prior import handicap
 from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain
 from .surface import Surface
 
-PER_PARAMETER = 7.0  # handicap of each further number fitted: about ln(number of readings)
-
 
 @dataclass(frozen=True)
-class Candidate:
+class ScoredTerm:
     """component x driver x shape with what it explains.
 
     symbol, regressor (driver and shape); gain: drop of chi-square; coefficients (m,) mm or rad per driver unit;
@@ -65,44 +64,9 @@ class Candidate:
         return ALL_SYMBOLS.index(self.symbol)
 
 
-def handicap(symbol: str, regressor: Regressor) -> float:
-    """How far `component x driver x shape` stands behind the plainest reading of the same data, in chi-square."""
-    c, driver, shape = component(symbol), regressor.driver, regressor.shape
-    cost = PER_PARAMETER * shape.complexity + shape.prior
-    cost += 2.0 * (driver.factors - 1)
-    if TIME in driver:
-        cost += 2.0
-    if driver.repeats:
-        cost += 0.5
-    if shape.series and driver.columns[0].startswith("temp_"):
-        cost += 8.0  # expansion is linear
-    axes = driver.axes
-    if c.kind == SQUARENESS:
-        cost += 3.5  # its lever holds the axis position: one more factor
-    if axes and c.body not in axes:
-        cost += 3.0
-    if len(axes) > 1 and set(driver.columns) - set(POSITIONS):
-        cost += 1.0  # the scale of one axis with the place along another
-    growth = shape.settles and c.kind == TRANSLATION and not axes
-    slipped = shape.sudden and driver.columns == (TIME,)
-    if c.body == "T":
-        cost += 0.6 if not (growth and c.axis == 2) else 0.0
-    elif c.body == "W":
-        cost += 0.8 if not slipped else 0.0
-    elif growth or slipped:
-        cost += 0.5
-    if c.kind == TRANSLATION and "XYZ"[c.axis] != c.body:
-        cost += 0.3
-    elif c.kind == TRANSLATION and axes == {c.body}:
-        cost -= 3.0  # an axis along itself, by its own scale, place or direction
-    if c.kind == ROTATION and axes and "XYZ"[c.axis] in axes and c.body in axes:
-        cost += 0.05
-    return cost + 0.01 * "XYZTW".index(c.body)
-
-
-def _candidate(rows: Rows, symbol: str, regressor: Regressor, columns) -> Candidate:
+def _candidate(rows: Rows, symbol: str, regressor: Regressor, columns) -> ScoredTerm:
     gain, coefficients, visible = exact_gain(rows, ALL_SYMBOLS.index(symbol), regressor.vectors(columns))
-    return Candidate(symbol, regressor, gain, coefficients, visible, handicap(symbol, regressor))
+    return ScoredTerm(symbol, regressor, gain, coefficients, visible, handicap(symbol, regressor))
 
 
 def _golden(f: Callable[[float], float], low: float, high: float, steps: int = 24) -> float:
@@ -122,18 +86,18 @@ def _golden(f: Callable[[float], float], low: float, high: float, steps: int = 2
     return (a + b) / 2
 
 
-def refine(rows: Rows, candidate: Candidate, columns, steps: int = 24) -> Candidate:
+def refine(rows: Rows, candidate: ScoredTerm, columns, steps: int = 24) -> ScoredTerm:
     """The same candidate with the unknown parameters of its shape at their best, one after another."""
     for name in candidate.shape.fitted:
         candidate = _refined(rows, candidate, name, columns, steps)
     return candidate
 
 
-def _refined(rows: Rows, candidate: Candidate, name: str, columns, steps: int) -> Candidate:
+def _refined(rows: Rows, candidate: ScoredTerm, name: str, columns, steps: int) -> ScoredTerm:
     regressor = candidate.regressor
     search, start = regressor.shape.parameters[name].search, regressor.shape.values[name]
 
-    def at(value) -> Candidate:
+    def at(value) -> ScoredTerm:
         return _candidate(rows, candidate.symbol, regressor.having(**{name: value}), columns)
 
     def seen(value) -> float:
@@ -155,7 +119,7 @@ def _refined(rows: Rows, candidate: Candidate, name: str, columns, steps: int) -
     return better if better.gain > candidate.gain and better.visible > MIN_VISIBLE else candidate
 
 
-def _threshold(candidate: Candidate, name: str, values, at: Callable[[float], Candidate]) -> Candidate:
+def _threshold(candidate: ScoredTerm, name: str, values, at: Callable[[float], ScoredTerm]) -> ScoredTerm:
     """The candidate with the parameter `name` half way between two of the driver's values (sorted), at its best."""
     near = int(np.searchsorted(values, candidate.shape.values[name]))
     reach = max(3, len(values) // 30)
@@ -170,16 +134,16 @@ def _threshold(candidate: Candidate, name: str, values, at: Callable[[float], Ca
     return at(float((instant + after[0]) / 2)) if len(after) else best
 
 
-def merged(a: Candidate, b: Candidate, columns) -> Candidate | None:
+def merged(a: ScoredTerm, b: ScoredTerm, columns) -> ScoredTerm | None:
     """One candidate for two on one component that are parts of one (see `Shape.joined`).  None for any others."""
     one = a.regressor.joined(b.regressor, columns) if a.symbol == b.symbol else None
     if one is None:
         return None
     same = next((c for c in (a, b) if c.regressor == one), None)
-    return same or Candidate(a.symbol, one, 0.0, np.zeros(0), 1.0, handicap(a.symbol, one))
+    return same or ScoredTerm(a.symbol, one, 0.0, np.zeros(0), 1.0, handicap(a.symbol, one))
 
 
-def tried_beside(rows: Rows, symbols, columns, names) -> list[Candidate]:
+def tried_beside(rows: Rows, symbols, columns, names) -> list[ScoredTerm]:
     """Candidates of the shapes that are too many to stand in the bank, on some components."""
     regressors = beside(columns, names)
     return [_candidate(rows, symbol, r, columns) for symbol in symbols for r in regressors]
@@ -195,7 +159,7 @@ def search(
     within: float = 60.0,
     minimum: float = 12.0,
     inflation: float = 1.0,
-) -> list[Candidate]:
+) -> list[ScoredTerm]:
     """Best candidates first (by gain less handicap), one per motion, driver and shape, parameters refined.
 
     groups : components that show alike, per place of the scanner; the plainest of them carries the candidate.
@@ -204,7 +168,7 @@ def search(
     columns = readings.columns
     scores = scanner.scores()
     flat = np.argsort(-scores.tail, axis=None)[: 40 * keep]
-    found: dict[tuple, Candidate] = {}
+    found: dict[tuple, ScoredTerm] = {}
     for i in flat:
         k, g = np.unravel_index(i, scores.tail.shape)
         if scores.gain[k, g] < minimum * inflation:
@@ -220,7 +184,7 @@ def search(
     if not found:
         return []
 
-    def score(c: Candidate) -> float:
+    def score(c: ScoredTerm) -> float:
         return c.gain / inflation - c.handicap
 
     ranked = sorted(found.values(), key=lambda c: -score(c))
@@ -237,7 +201,7 @@ def search(
     return sorted((c for c in out if c.visible > MIN_VISIBLE), key=lambda c: -score(c))
 
 
-def surface_candidate(s: Surface) -> Candidate:
+def surface_candidate(s: Surface) -> ScoredTerm:
     """A surface as a candidate (without a name); a shift is put on the body that its columns speak of."""
     symbol = ALL_SYMBOLS[s.component]
     c = component(symbol)
@@ -245,10 +209,10 @@ def surface_candidate(s: Surface) -> Candidate:
         bodies = [b for b in "XYZ" if b in Driver(s.columns).axes]
         body = symbol[1] if symbol[1] in bodies or not bodies else bodies[0]
         symbol = f"E{symbol[1]}{body}"
-    return Candidate(symbol, s.regressor(), s.gain, np.zeros(s.mix.shape[1]), 1.0, 0.0)
+    return ScoredTerm(symbol, s.regressor(), s.gain, np.zeros(s.mix.shape[1]), 1.0, 0.0)
 
 
-def same_place(a: Candidate, b: Candidate) -> bool:
+def same_place(a: ScoredTerm, b: ScoredTerm) -> bool:
     """Do two candidates move the same body part in the same way by a common column?"""
     ca, cb = component(a.symbol), component(b.symbol)
     alike = a.symbol == b.symbol or (not ca.angular and not cb.angular and ca.axis == cb.axis)

@@ -12,12 +12,13 @@ from dataclasses import replace
 import numpy as np
 
 from ..core.machine import Machine
+from ..messages import Message
 from .design import design
 from .fit import Fit, fit
+from .problem import State
 from .readings import Readings
-
-LEAST = 25.0  # log-likelihood that turning a sign must gain
-SHARE = 0.05  # and per reading of the directions together
+from .settings import TraceSettings
+from .stages import Tell, add_effects
 
 
 def likelihood(readings: Readings, fitted: Fit) -> float:
@@ -37,7 +38,7 @@ def checkable(readings: Readings) -> list[int]:
     return kinds if kinds == [0, 1, 2] else []
 
 
-def flipped_directions(machine: Machine, readings: Readings, declared: Fit) -> list[int]:
+def flipped_directions(machine: Machine, readings: Readings, declared: Fit, settings: TraceSettings) -> list[int]:
     """Directions of sensing (0, 1, 2) that fit the declared model much better with their sign turned; one at most.
 
     A strong undeclared effect can look the same: what effects explain on either side must still decide.
@@ -51,17 +52,52 @@ def flipped_directions(machine: Machine, readings: Readings, declared: Fit) -> l
         other = turned(readings, kind)
         gains[kind] = likelihood(other, fit(design(machine, other), other)) - reference
     best = max(gains, key=lambda k: gains[k])
-    return [best] if gains[best] > max(LEAST, SHARE * readings.rows) else []
+    return [best] if gains[best] > max(settings.sign_gain, settings.sign_share * readings.rows) else []
 
 
-def flipped_findings(kinds) -> list[dict]:
-    return [
-        {
-            "severity": "warning",
-            "code": "flipped-sign",
-            "message": f"with the sign of e{'xyz'[kind]} turned the declared model fits much better: nothing is traced "
-            "until the sign is settled; turn it, or state the convention in the header",
-            "line": 0,
-        }
-        for kind in kinds
-    ]
+def settled_signs(state: State, suspected: list[int], tell: Tell) -> list[int]:
+    """The suspected direction, if turning its sign explains the readings with less than effects alone do.
+
+    A turned sign looks like effects and a strong effect like a turned sign: both stories are told to their end.
+    """
+    p, least = state.problem, state.settings.sign_gain
+    for kind in suspected:
+        scores = []
+        for readings in (p.readings, turned(p.readings, kind)):
+            story = add_effects(State(replace(p, readings=readings)), tell)
+            scores.append(likelihood(readings, story.fit_with(story.candidates)) - least * len(story.steps))
+        if scores[1] > scores[0] + least:
+            return [kind]
+    return []
+
+
+def simpler_signs(state: State) -> list[int]:
+    """The direction that, read with its sign turned, makes some of the effects needless.
+
+    Too weak to be seen beside an effect at first, a turned sign is otherwise traced as effects of its own.
+    """
+    p, least, found = state.problem, state.settings.sign_gain, state.candidates
+    score = likelihood(p.readings, state.fit_with(found)) - least * len(found)
+    best, flipped = score + least / 2, []
+    for kind in checkable(p.readings) if found else []:
+        readings = turned(p.readings, kind)
+
+        def with_(effects, readings=readings):
+            return likelihood(readings, fit(p.design, readings, p.columns_of(effects)))
+
+        kept, value = list(found), with_(found)
+        while kept and value > best:
+            fewer = [[k for k in kept if k is not c] for c in kept]
+            values = [with_(rest) for rest in fewer]
+            i = int(np.argmax(values))
+            if value - values[i] > least:
+                break
+            kept, value = fewer[i], values[i]
+        if value - least * len(kept) > best:
+            best, flipped = value - least * len(kept), [kind]
+    return flipped
+
+
+def flipped_remark(kind: int) -> Message:
+    """The remark that a direction of sensing seems to be read with the opposite sign."""
+    return Message("flipped-sign", direction=f"e{'xyz'[kind]}")

@@ -46,8 +46,8 @@ class Surface:
 
 def _fit(rows: Rows, component: int, features):
     """Eigen-decomposition of the projected information: (values, vectors, scores)."""
-    across, squares, residual = rows.per_point(component)
-    inner = (features * squares[:, None]).T @ features
+    across, _, residual, _ = rows.per_point(component)
+    inner = rows.inner(component, features)
     shown = features.T @ across
     values, vectors = np.linalg.eigh(inner - shown @ shown.T)
     values = np.maximum(values, 0.0)

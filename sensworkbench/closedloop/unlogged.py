@@ -15,99 +15,158 @@ import numpy as np
 
 from .design import ALL_SYMBOLS
 from .scan import Rows
+from .settings import DEFAULT, TraceSettings
 
-CLIP = 3.0
-MARGIN = 1.25
+HALVES = 100
+SHOWS = 0.05  # share of the strongest direction's variation: a lever that shows less in a direction says nothing there
 
 
 @dataclass(frozen=True)
 class Unlogged:
-    """symbol, rms of the motion (mm or rad; per mm of `place` if there is one), family-wise p, size: rms shown per
-    reading over its noise, place: "" or the axis position that the motion is proportional to."""
+    """A body that moves at random from reading to reading.
+
+    symbol; rms of the motion (mm or rad; per mm of `place` if there is one); p: family-wise; size: rms shown per
+    reading over its noise; selection: share of half-samples of points that choose it; place: "" or the axis position
+    that the motion is proportional to.
+    """
 
     symbol: str
     rms: float
     p: float
     size: float
+    selection: float
     place: str = ""
 
 
-def _p_value(observed: float, null: np.ndarray) -> float:
-    """Share of null maxima at least as large, but .05 at least where the largest of them comes within a quarter: a name
-    that nobody can check against a column needs more than the one in a hundred that chance allows."""
+def _p_value(observed: float, null: np.ndarray, margin: float) -> float:
+    """Share of null maxima at least as large, but .05 at least where the largest of them comes near.
+
+    A name that nobody can check against a column needs more than the one in a hundred that chance allows.
+    """
     share = float((1 + np.count_nonzero(null >= observed)) / (len(null) + 1))
-    return share if observed > MARGIN * float(null.max()) else max(share, 0.05)
+    return share if observed > margin * float(null.max()) else max(share, 0.05)
 
 
-def _cross(rows: Rows, residual) -> np.ndarray:
-    """(C,) sum over points of the cross products of lever x residual."""
+def _halves(parts, scale, best: int, seed: int) -> float:
+    """Share of half-samples of points in which entry `best` is the largest; parts (P, C) sum to the statistic."""
+    rng = np.random.default_rng(seed + 2)
+    count = len(parts)
+    hits = 0
+    for _ in range(HALVES):
+        half = parts[rng.permutation(count)[: count // 2]].sum(axis=0) / scale
+        hits += bool(half[best] > 0 and half[best] >= (1 - 1e-9) * half.max())
+    return hits / HALVES
+
+
+def _products(rows: Rows, residual) -> np.ndarray:
+    """(P, C) cross products of lever x residual between different rows of each point."""
     x = rows.lever * residual[:, None]
-    return (rows.gather(x) ** 2 - rows.gather(x**2)).sum(axis=0)
+    return rows.gather(x) ** 2 - rows.gather(x**2)
 
 
-def unlogged_driver(rows: Rows, count: int = 199, seed: int = 0) -> Unlogged | None:
+def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 199, seed: int = 0) -> Unlogged | None:
     """The component whose random motion the residual shows most, or None where points hold one reading each.
 
     Residuals beyond three times their noise are drawn in, so that a few points do not make a motion.
     """
-    residual = np.clip(rows.residual, -CLIP, CLIP)
+    clip = settings.unlogged_clip
+    residual = np.clip(rows.residual, -clip, clip)
     g2 = rows.lever**2
     weight = (rows.gather(g2) ** 2 - rows.gather(g2**2)).sum(axis=0)
     usable = weight > 1e-6 * max(float(weight.max(initial=0.0)), 1e-300)
     if not usable.any():
         return None
     scale = np.where(usable, np.sqrt(np.where(usable, weight, 1.0)), np.inf)
-    observed = _cross(rows, residual) / scale
+    parts = _products(rows, residual)
+    observed = parts.sum(axis=0) / scale
     rng = np.random.default_rng(seed)
     null = np.empty(count)
     for i in range(count):
-        null[i] = (_cross(rows, residual * rng.choice((-1.0, 1.0), len(rows.residual))) / scale).max()
+        turned = residual * rng.choice((-1.0, 1.0), len(rows.residual))
+        null[i] = (_products(rows, turned).sum(axis=0) / scale).max()
     best = int(np.argmax(observed))
     if observed[best] <= 0:
         return None
     variance = observed[best] / scale[best]
-    power = float((g2[:, best]).sum() / max(np.count_nonzero(rows.lever.any(axis=1)), 1))
-    p = _p_value(observed[best], null)
-    return Unlogged(ALL_SYMBOLS[best], float(np.sqrt(max(variance, 0.0))), p, float(np.sqrt(max(variance, 0) * power)))
+    power = float(g2[:, best].sum() / rows.used)
+    return Unlogged(
+        symbol=ALL_SYMBOLS[best],
+        rms=float(np.sqrt(max(variance, 0.0))),
+        p=_p_value(observed[best], null, settings.unlogged_margin),
+        size=float(np.sqrt(max(variance, 0) * power)),
+        selection=_halves(parts, scale, best, seed),
+    )
 
 
-def uneven_noise(rows: Rows, q, kind, count: int = 199, seed: int = 0) -> Unlogged | None:
-    """The component (times x, y, z or nothing) whose lever the spread of the residual follows most.
+def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: int = 199, seed: int = 0):
+    """The component (times x, y, z or nothing) whose lever the spread of the residual follows, or None.
 
-    q : (P, 3) positions.  kind : (R,) direction of sensing; squares are compared within each.  The null permutes them.
+    q : (P, n) positions.  kind : (R,) direction of sensing; squares are compared within each, and the null permutes
+    them.  Noise may be uneven for many reasons: the spread must follow the lever in each of two directions at least,
+    and no smooth change of the spread over the places may be left beside it.
     """
     used = rows.lever.any(axis=1)
-    point = np.repeat(np.arange(len(rows.start)), np.diff(np.r_[rows.start, len(rows.residual)]))
-    places = [("", np.ones(len(q)))] + [(n, q[:, i]) for i, n in enumerate("xyz")]
     kinds = [np.flatnonzero(used & (kind == k)) for k in np.unique(kind)]
     kinds = [k for k in kinds if len(k) > 30]
-    if not kinds:
+    if len(kinds) < 2:
         return None
-    rows_used = np.concatenate(kinds)
+    point, chosen = rows.point, np.concatenate(kinds)
     follow, labels = [], []
-    for name, place in places:
+    for name, place in [("", np.ones(len(q)))] + [(n, q[:, i]) for i, n in enumerate("xyz"[: q.shape[1]])]:
         power = rows.lever**2 * (place[point] ** 2)[:, None]
         for part in kinds:
             power[part] -= power[part].mean(axis=0)
-        follow.append(power[rows_used])
-        labels += [(s, name) for s in ALL_SYMBOLS]
+        follow.append(power[chosen])
+        labels += [(s, name, place) for s in ALL_SYMBOLS[: rows.lever.shape[1]]]
     x = np.concatenate(follow, axis=1)
     norm = np.sqrt((x**2).sum(axis=0))
     good = norm > 1e-9 * max(float(norm.max(initial=0.0)), 1e-300)
     if not good.any() or float(norm.max()) < 1e-9:
         return None
     x = np.where(good, x / np.where(good, norm, 1.0), 0.0)
-    square = np.clip(rows.residual, -CLIP, CLIP) ** 2
+    square = np.clip(rows.residual, -settings.unlogged_clip, settings.unlogged_clip) ** 2
     centred = [square[part] - square[part].mean() for part in kinds]
-    observed = x.T @ np.concatenate(centred)
+    y = np.concatenate(centred)
+    observed = x.T @ y
     rng = np.random.default_rng(seed)
-    null = np.array([(x.T @ np.concatenate([rng.permutation(c) for c in centred])).max() for _ in range(count)])
+    shuffled = [np.concatenate([rng.permutation(c) for c in centred]) for _ in range(count)]
+    null = np.array([(x.T @ s).max() for s in shuffled])
     best = int(np.argmax(observed))
-    p = _p_value(observed[best], null)
-    if not good[best]:
+    p = _p_value(observed[best], null, settings.unlogged_margin)
+    edges = np.cumsum([0, *(len(k) for k in kinds)])
+    slices = [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
+    if not good[best] or not _of_the_lever(x[:, best], y, shuffled, slices, q[point[chosen]]):
         return None
     variance = max(float(observed[best] / norm[best]), 0.0)
-    symbol, name = labels[best]
-    place = dict(places)[name]
-    power = float((rows.lever[rows_used, ALL_SYMBOLS.index(symbol)] ** 2 * place[point[rows_used]] ** 2).mean())
-    return Unlogged(symbol, float(np.sqrt(variance)), p, float(np.sqrt(variance * power)), name)
+    symbol, name, place = labels[best]
+    power = float((rows.lever[chosen, ALL_SYMBOLS.index(symbol)] ** 2 * place[point[chosen]] ** 2).mean())
+    parts = np.zeros((len(q), x.shape[1]))
+    np.add.at(parts, point[chosen], x * y[:, None])
+    again = _halves(parts, np.ones(x.shape[1]), best, seed)
+    return Unlogged(symbol, float(np.sqrt(variance)), p, float(np.sqrt(variance * power)), again, name)
+
+
+def _of_the_lever(x, y, shuffled, slices, q) -> bool:
+    """Has the spread y (rows,) the shape of the lever x (rows,) in two directions at least, and nothing beside it?"""
+    strength = np.array([float((x[s] ** 2).sum()) for s in slices])
+    follows = 0
+    for s, size in zip(slices, strength):
+        if size > SHOWS * strength.max():
+            null = np.array([float(x[s] @ z[s]) for z in shuffled])
+            follows += bool(np.mean(null >= float(x[s] @ y[s])) < 0.02)
+            if follows == 0 and size > 0.3 * strength.max():
+                return False
+    if follows < 2:
+        return False
+    unit = (q - q.mean(axis=0)) / np.where(q.std(axis=0) > 0, q.std(axis=0), 1.0)
+    columns = [unit, unit**2] + [unit[:, [i]] * unit[:, i + 1 :] for i in range(q.shape[1] - 1)]
+    table = np.concatenate(columns, axis=1)
+    wide = np.zeros((len(y), table.shape[1] * len(slices)))
+    for k, s in enumerate(slices):
+        wide[s, k * table.shape[1] : (k + 1) * table.shape[1]] = table[s] - table[s].mean(axis=0)
+    wide -= np.outer(x, x @ wide)
+    u, d, _ = np.linalg.svd(wide, full_matrices=False)
+    u = u[:, d > 1e-6 * d[0]] if len(d) and d[0] > 0 else u[:, :0]
+    left = float(((u.T @ (y - x * (x @ y))) ** 2).sum())
+    null = np.array([float(((u.T @ (z - x * (x @ z))) ** 2).sum()) for z in shuffled])
+    return float(np.mean(null >= left)) > 0.05

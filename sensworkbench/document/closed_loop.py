@@ -135,18 +135,18 @@ def read(obj):
 
 
 def make_trace(machine, readings_obj, outcome, traced):
-    """Store the `Outcome` of a trace; returns the Trace object (that of the same readings is used again).
+    """Store the `TraceResult` of a trace; returns the Trace object (that of the same readings is used again).
 
     traced : the core machine that was traced.
     """
-    from ..formats import json_text, machine_json
+    from ..formats import json_text, machine_json, trace_json
     from ..studies.trace import point_vectors
 
     obj = trace_of(readings_obj)
     if obj is None:
         obj = _make(machine, TraceObject, "Trace", f"Trace of {readings_obj.Label}")
         obj.Readings = readings_obj
-    report, readings = outcome.report, outcome.readings
+    report, readings = trace_json.to_dict(outcome), outcome.readings
     known = {e.name for e in traced.effects}
     put(obj, "Verdict", report["verdict"])
     put(obj, "Summary", summary(report))
@@ -187,11 +187,11 @@ def summary(report) -> str:
     return f"{title}. {words}" + (f" Found: {'; '.join(found)}." if found else "")
 
 
-def outcome_of(obj):
-    """The `closedloop.outcome.Outcome` of a Trace object; refuses when its readings are gone."""
+def evidence_of(obj):
+    """The `closedloop.result.TraceEvidence` of a Trace object; refuses when its readings are gone."""
     import numpy as np
 
-    from ..closedloop.outcome import Outcome
+    from ..closedloop.result import TraceEvidence
 
     if obj.Readings is None:
         raise Refused("trace-readings-deleted", obj.Label)
@@ -204,7 +204,7 @@ def outcome_of(obj):
         residuals["used"] = residuals["used"] > 0
     names = list(obj.CovarianceNames)
     matrix = np.array(obj.Covariance).reshape(len(names), len(names))
-    return Outcome(report_of(obj), augmented(obj), readings, residuals, (names, matrix))
+    return TraceEvidence(augmented(obj), readings, residuals, (names, matrix))
 
 
 def positions_of(obj):
@@ -218,6 +218,13 @@ def positions_of(obj):
 def report_of(obj) -> dict:
     """trace.json of a Trace object."""
     return json.loads(obj.Report)
+
+
+def told(obj) -> dict:
+    """trace.json of a Trace object with the message of each sentence beside it (see `formats.trace_json`)."""
+    from ..formats import trace_json
+
+    return trace_json.attached(report_of(obj))
 
 
 def augmented(obj):

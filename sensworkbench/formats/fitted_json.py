@@ -195,8 +195,7 @@ def _unit(c: Component) -> tuple[float, str]:
 
 def _constant_dict(c: Component, found: Constant) -> dict:
     scale, unit = _unit(c)
-    u = {} if found.u is None else {"u": shown(found.u, scale)}
-    return {"value": shown(found.value, scale), "unit": unit} | u
+    return {"value": shown(found.value, scale), "unit": unit, "u": None if found.u is None else shown(found.u, scale)}
 
 
 def _run_entry(run: Mapping[str, Constant], known: Known):

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 
 from sensworkbench import __version__
 from sensworkbench.closedloop import plan as planning
+from sensworkbench.closedloop.settings import DEFAULT
 
 from . import charts, html
 from .html import Html
@@ -73,8 +74,8 @@ def plan_report(data: Mapping) -> str:
         f"structure {data['structure']}. No reading has been taken.",
         *parts,
         footer=f"Sens Workbench {__version__}, {datetime.date.today().isoformat()}. Detected: beyond a family-wise p "
-        f"of {planning.ALPHA:g} over {data['threshold']['candidates']} candidates with a chance of "
-        f"{planning.POWER:.0%}, and above {planning.FLOOR:g} of one reading's noise.",
+        f"of {DEFAULT.alpha:g} over {data['threshold']['candidates']} candidates with a chance of "
+        f"{DEFAULT.power:.0%}, and above {DEFAULT.floor:g} of one reading's noise.",
     )
 
 
@@ -140,7 +141,7 @@ def _effects(data) -> Html:
     columns = ["Effect", "Plainest candidate", "#Visible", "", "#Smallest found", "#rms, µm", "Usual size", "#Shown"]
     words = (
         "Visible: the share of the effect that the declared model cannot imitate on these places; below "
-        f"{planning.HIDDEN:.0%} it is hidden. Smallest found: the coefficient, and the rms at the tool over the "
+        f"{DEFAULT.visible:.0%} it is hidden. Smallest found: the coefficient, and the rms at the tool over the "
         f"readings, that would be detected at {data['noise_um']:g} µm noise. Shown: candidates (component × driver × "
         "shape) under this name that would show; candidates.csv lists every one, with those that have no name."
     )
@@ -201,7 +202,7 @@ def _pairs(data) -> Html:
     ]
     words = (
         f"Pairs of named candidates whose traces in these readings, beside the declared model, have a |cosine| above "
-        f"{planning.SAME:g}. With strong evidence even .996 is told apart, so this is for planning only."
+        f"{DEFAULT.same:g}. With strong evidence even .996 is told apart, so this is for planning only."
     )
     parts = [
         html.paragraph(words, soft=True),

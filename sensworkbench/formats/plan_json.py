@@ -15,7 +15,8 @@ from dataclasses import replace
 import numpy as np
 
 from sensworkbench.closedloop import plan as planning
-from sensworkbench.closedloop.plan import Candidate, Plan
+from sensworkbench.closedloop.design import tool_labels
+from sensworkbench.closedloop.plan import Plan, PlannedTerm
 from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.refusal import Refused
 from sensworkbench.studies.plan import PlanResult
@@ -87,7 +88,7 @@ def to_dict(checked: PlanResult) -> dict:
         "noise_um": checked.noise_um,
         "judged": "given" if checked.plan is not None else "suggested",
         "numbers": plan.numbers(),
-        "tools": len(planning.tool_labels(plan.readings)) or 1,
+        "tools": len(tool_labels(plan.readings)) or 1,
         "suggested": None
         if checked.suggested is None
         else {
@@ -97,19 +98,19 @@ def to_dict(checked: PlanResult) -> dict:
         "identifiability": {
             "columns": plan.parameters,
             "rank": plan.rank,
-            "null_space": plan.null_space,
+            "null_space": [str(m) for m in plan.null_space],
             "no_reading_shows": planning.unseen(plan),
             "move_alike": planning.bodies_alike(plan),
         },
         "threshold": {
-            "family_wise_p": planning.ALPHA,
-            "power": planning.POWER,
+            "family_wise_p": plan.settings.alpha,
+            "power": plan.settings.power,
             "candidates": len(plan.candidates),
-            "floor": planning.FLOOR,
+            "floor": plan.settings.floor,
             "chi_square": plan.threshold,
         },
         "effects": [_entry(entry, found) for entry, found in plan.physical()],
-        "not_testable": plan.not_testable,
+        "not_testable": [{"effect": str(e), "needs": needs} for e, needs in plan.not_testable],
         "hidden": [
             {
                 "name": str(c.entry.name),
@@ -149,7 +150,7 @@ def to_dict(checked: PlanResult) -> dict:
     }
 
 
-def _entry(entry, found: list[Candidate]) -> dict:
+def _entry(entry, found: list[PlannedTerm]) -> dict:
     best = planning.plain(found)
     plain = next((c for c in best if not c.hidden), best[0] if best else None)
     out = {

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from sensworkbench.closedloop.outcome import Outcome
+from sensworkbench.closedloop.result import TraceEvidence, TraceResult
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.studies.plan import PlanResult
@@ -25,6 +25,7 @@ from . import (
     sensitivity_html,
     sensitivity_json,
     trace_html,
+    trace_json,
 )
 from .file_sets import staged
 from .files import read_bytes, write_bytes
@@ -76,23 +77,28 @@ def sensitivity_files(
     }
 
 
-def augmented(outcome: Outcome) -> Machine:
+def augmented(evidence: TraceEvidence) -> Machine:
     """The augmented machine of a trace with the name of its covariance file."""
-    return replace(outcome.machine, fitted=replace(outcome.machine.fitted, covariance=COVARIANCE))
+    return replace(evidence.machine, fitted=replace(evidence.machine.fitted, covariance=COVARIANCE))
 
 
-def write_trace(folder, outcome: Outcome, extra: Callable[[Path, Machine], None] | None = None) -> list[Path]:
+def write_trace(folder, result: TraceResult, extra: Callable[[Path, Machine], None] | None = None) -> list[Path]:
     """Write trace.json, report.html, machine_augmented.json and the covariance of the fit; returns their paths.
 
     extra : called with the temporary folder and the augmented machine, to add files that appear with the others.
     """
-    machine = augmented(outcome)
-    names, matrix = outcome.covariance
+    return write_saved_trace(folder, trace_json.to_dict(result), result.evidence, extra)
+
+
+def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=None) -> list[Path]:
+    """Write a trace that was kept as the data of trace.json and its evidence; see `write_trace`."""
+    machine = augmented(evidence)
+    names, matrix = evidence.covariance
     covariance = io.BytesIO()
     np.savez_compressed(covariance, parameters=np.array(names, dtype=str), covariance=np.asarray(matrix, dtype=float))
     files = {
-        "trace.json": json_text.dumps(outcome.report),
-        "report.html": trace_html.trace_report(outcome.report, outcome),
+        "trace.json": json_text.dumps(report),
+        "report.html": trace_html.trace_report(report, evidence),
         "machine_augmented.json": machine_json.dumps(machine),
         COVARIANCE: covariance.getvalue(),
     }

@@ -16,7 +16,7 @@ from sensworkbench.core.driver import Driver
 from sensworkbench.core.errors import COMPONENTS, component
 from sensworkbench.studies.trace import component_values, point_vectors
 
-from . import charts, html
+from . import charts, html, trace_json
 from .html import Html
 
 STAGES = {
@@ -51,7 +51,8 @@ def unit_words(unit: str) -> str:
 
 
 def trace_report(data: Mapping, outcome=None) -> str:
-    """The page for the data of trace.json; outcome: the `closedloop.outcome.Outcome` whose residuals are drawn."""
+    """The page for the data of trace.json; outcome : the `TraceEvidence` that its pictures are drawn from, or None."""
+    data = trace_json.attached(data)
     title, words = VERDICTS[data["verdict"]]
     structure = "" if outcome is None else f" Structure {outcome.machine.structure} (workpiece to tool, F: bed)."
     name = "Readings" if outcome is None else outcome.machine.name
@@ -180,7 +181,7 @@ def _driver_chart(entry, outcome) -> Html | None:
     label = driver_words(effect.driver)
     per = effect.driver_unit
     if per:
-        label += f", {per}" + (" above 20 °C" if per == "K" else "")
+        label += f", {unit_words(per)}" + (" above 20 °C" if per == "K" else "")
     alt = f"{effect.component} against {label}"
     return charts.scatter(driver, series, label, f"{effect.component}, {unit}", line=line, alt=alt)
 
@@ -302,18 +303,12 @@ def _bullets(items) -> Html:
     return html.element("ul", *(html.element("li", i) for i in items))
 
 
-def _null_space(sentences):
-    """The same advice once, over all the sets of parameters that it holds for."""
-    sets: dict[str, list[str]] = {}
-    for sentence in sentences:
-        names, told, advice = sentence.partition(" cannot be told apart")
-        sets.setdefault(told + advice, []).append(names)
-    for advice, names in sets.items():
-        if not advice or len(names) == 1:
-            yield _bullets(n + advice for n in names)
-        else:
-            yield html.paragraph(f"Each of these sets{advice}:")
-            yield _bullets(names)
+def _null_space(known):
+    """The sentences on what is not determined, those with the same advice together."""
+    sentences = trace_json.texts(known, "null_space")
+    codes = [m["code"] for m in known.get("null_space_messages", ())] or [""] * len(sentences)
+    for code in dict.fromkeys(codes):
+        yield _bullets(s for s, own in zip(sentences, codes) if own == code)
 
 
 def _limits(data) -> Html:
@@ -324,7 +319,7 @@ def _limits(data) -> Html:
         )
     ]
     if known["null_space"]:
-        parts += [html.element("h3", "Not told apart by this plan"), *_null_space(known["null_space"])]
+        parts += [html.element("h3", "Not told apart by this plan"), *_null_space(known)]
     if data["not_testable"]:
         rows = [(t["effect"], t["needs"]) for t in data["not_testable"]]
         parts.append(html.table(["Not testable", "Needs a column"], rows))

@@ -269,9 +269,9 @@ class TaskTrace(Panel):
                 words = translate("Sens", "Not traced yet.")
                 self.pages[name].show_page(lambda page, words=words: trace_pages.paragraph(words))
             return
-        outcome, report = None, closed_loop.report_of(trace)
+        outcome, report = None, closed_loop.told(trace)
         try:
-            outcome = closed_loop.outcome_of(trace)
+            outcome = closed_loop.evidence_of(trace)
         except Refused as error:
             self.note.setText(error.message)
         self.pages["Result"].show_page(trace_pages.result_page(report, self.machine))
@@ -348,7 +348,7 @@ def ask_and_write(trace) -> list:
     folder = messages.ask_folder(translate("Sens", "Folder for the trace"))
     if not folder:
         return []
-    paths = study_files.write_trace(folder, closed_loop.outcome_of(trace))
+    paths = study_files.write_saved_trace(folder, closed_loop.report_of(trace), closed_loop.evidence_of(trace))
     messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
     return paths
 

@@ -15,7 +15,7 @@ from ..formats import trace_html
 from ..formats.trace_html import driver_words, parameter_words, um, unit_words
 from ..studies.trace import component_values, point_vectors
 from . import plots
-from .finding_words import effect_name, said
+from .finding_words import all_said, language, said
 from .qt import Qt, QtCore, QtGui, translate
 from .texts import body_name, error_meaning
 
@@ -176,7 +176,7 @@ def result_page(report, machine=None):
             f"</p>{paragraph(words)}"
         ]
         for e in report["effects"]:
-            parts.append(heading(effect_name(e)))
+            parts.append(heading(said(e, "name")))
             parts.append(paragraph(_finding_sentence(e, machine)))
         rows = [
             (stage(s), *(um(report["error"][s]["held_out"][k]) for k in ("rms_um", "p95_um", "max_um")))
@@ -187,7 +187,7 @@ def result_page(report, machine=None):
         parts.append(table(head, rows))
         parts.append(heading(translate("Sens", "What is left")))
         rest, noise = report.get("remainder", {}), report["noise"]
-        left = said(rest.get("words", ""))
+        left = "; ".join(all_said(rest, "words")) if "words_messages" in rest else rest.get("words", "")
         line = translate("Sens", "Noise of one reading {noise} µm").format(noise=um(noise["residual_um"]))
         if noise["stated_um"] is not None:
             line += translate("Sens", ", stated {stated} µm").format(stated=um(noise["stated_um"]))
@@ -239,15 +239,15 @@ def findings_page(report, outcome=None):
                 (translate("Sens", "Found again in half-samples"), f"{e['selection_frequency']:.0%}"),
             ]
             if e.get("usual_size"):
-                pairs.append((translate("Sens", "Usual size"), unit_words(e["usual_size"])))
+                pairs.append((translate("Sens", "Usual size"), unit_words(said(e, "usual_size"))))
             if e.get("check"):
-                pairs.append((translate("Sens", "Check on the machine"), said(e["check"])))
-            parts += [heading(f"{number}. {effect_name(e)}"), facts(pairs)]
+                pairs.append((translate("Sens", "Check on the machine"), said(e, "check")))
+            parts += [heading(f"{number}. {said(e, 'name')}"), facts(pairs)]
             if e.get("note"):
-                parts.append(paragraph(e["note"]))
+                parts.append(paragraph(said(e, "note")))
             parts.append(_driver_chart(page, e, outcome))
             if e["rivals"]:
-                rows = [(r["component"], driver_words(r["driver"]), r["shape"], r["why"]) for r in e["rivals"]]
+                rows = [(r["component"], driver_words(r["driver"]), r["shape"], said(r, "why")) for r in e["rivals"]]
                 head = [translate("Sens", "Rival"), translate("Sens", "Driver"), translate("Sens", "Shape"),
                         translate("Sens", "Why it remains")]  # fmt: skip
                 parts += [
@@ -257,7 +257,8 @@ def findings_page(report, outcome=None):
             else:
                 parts.append(paragraph(translate("Sens", "No rival: nothing else that was searched explains as much.")))
         if report.get("refused_names"):
-            rows = [(r["component"], driver_words(r["driver"]), r["shape"], r["why"]) for r in report["refused_names"]]
+            refused = report["refused_names"]
+            rows = [(r["component"], driver_words(r["driver"]), r["shape"], said(r, "why")) for r in refused]
             parts.append(heading(translate("Sens", "Significant, but not named")))
             head = [translate("Sens", "Component"), translate("Sens", "Driver"), translate("Sens", "Shape"),
                     translate("Sens", "Why it carries no name")]  # fmt: skip
@@ -365,9 +366,9 @@ def next_page(report):
             parts.append(heading(translate("Sens", "What to measure next")))
             for m in report["next_measurements"]:
                 words = translate("Sens", "{do} (predicted difference {size} µm)").format(
-                    do=m["do"], size=um(m["predicted_difference_um"])
+                    do=said(m, "do"), size=um(m["predicted_difference_um"])
                 )
-                separates = " / ".join(str(s) for s in m["separates"])
+                separates = " / ".join(all_said(m, "separates"))
                 words = words[:1].upper() + words[1:]
                 told = translate("Sens", "Tells apart: {what}").format(what=separates)
                 parts.append(f"{paragraph(words)}<p><i>{escape(told)}</i></p>")
@@ -376,10 +377,10 @@ def next_page(report):
         if report["not_testable"]:
             parts.append(heading(translate("Sens", "Not testable: a column is missing")))
             head = [translate("Sens", "Effect"), translate("Sens", "Needs")]
-            parts.append(table(head, [(said(t["effect"]), t["needs"]) for t in report["not_testable"]]))
+            parts.append(table(head, [(said(t, "effect"), t["needs"]) for t in report["not_testable"]]))
         if report["not_identifiable"]:
             parts.append(heading(translate("Sens", "Hidden by the declared errors in this plan")))
-            parts.append(bullets(said(s) for s in report["not_identifiable"]))
+            parts.append(bullets(all_said(report, "not_identifiable")))
         return "".join(parts)
 
     return fill
@@ -410,7 +411,7 @@ def fit_page(fit):
         parts = [heading(translate("Sens", "Fit of the declared errors alone")), facts(pairs)]
         if fit["null_space"]:
             parts.append(heading(translate("Sens", "Not told apart by this plan")))
-            parts.append(bullets(said(s) for s in fit["null_space"]))
+            parts.append(bullets(m.text(language()) for m in fit["null_space"]))
         if fit["outliers"]:
             rows = [(o["line"] or "–", *(f"{v:.3f}" for v in o["position_mm"])) for o in fit["outliers"][:30]]
             parts.append(heading(translate("Sens", "Gross outliers, left out")))

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..closedloop.outcome import Outcome
 from ..closedloop.readings import Readings
+from ..closedloop.result import TraceEvidence, TraceResult
 from ..closedloop.trace import trace
 from ..core.effects import Effect
 from ..core.errors import component
@@ -35,7 +35,7 @@ def trace_study(
     readings: Readings,
     request: TraceRequest = TraceRequest(),
     progress: Callable[[float], bool] | None = None,
-) -> Outcome:
+) -> TraceResult:
     """What the readings show that the declared model lacks.
 
     progress : called with the part that is done, 0 to 1; a false answer cancels.  Refuses a number of permutations
@@ -48,7 +48,7 @@ def trace_study(
     return trace(machine, readings, seed=request.seed, permutations=request.permutations, progress=progress)
 
 
-def component_values(effect: Effect, outcome: Outcome) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def component_values(effect: Effect, outcome: TraceEvidence | TraceResult) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return (driver, value that the readings require, fitted value), each (P',), in driver units and um or urad.
 
     The required value is the effect plus the projection of the full model's residual on its column of Omega.  Points
@@ -67,7 +67,7 @@ def component_values(effect: Effect, outcome: Outcome) -> tuple[np.ndarray, np.n
     return driver[keep], c.to_shown((motion + rest)[keep]), c.to_shown(motion[keep])
 
 
-def point_vectors(outcome: Outcome, name: str) -> np.ndarray:
+def point_vectors(outcome: TraceEvidence | TraceResult, name: str) -> np.ndarray:
     """(P, 3) um: the residual `name` of every point as a vector (sum of its readings along their directions)."""
     readings = outcome.readings
     vectors = np.zeros((readings.points, 3))

@@ -11,7 +11,7 @@ import numpy as np
 
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.machine import Machine
-from sensworkbench.formats import machine_json, readings_csv
+from sensworkbench.formats import machine_json, readings_csv, trace_json
 from tests import simulator
 from tests.simulator import kinematics
 
@@ -100,3 +100,8 @@ def least_squares(matrix, value) -> tuple[np.ndarray, float]:
     solution = np.linalg.lstsq(matrix / size, value, rcond=1e-9)[0]
     left = value - (matrix / size) @ solution
     return solution / size, float(left @ left)
+
+
+def report_of(result) -> dict:
+    """trace.json of a trace, as plain data."""
+    return trace_json.to_dict(result)

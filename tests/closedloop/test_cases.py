@@ -12,7 +12,7 @@ import json
 import pytest
 
 from .judging import LIMIT, listed, triple
-from .support import rms_um
+from .support import report_of, rms_um
 
 NAMED = [  # seed, kind, level, structure, plan, readings
     (20011, "column_bend", 1, "FXYZ", "random", 300),
@@ -41,10 +41,10 @@ def label(case) -> str:
 @pytest.mark.parametrize("setting", NAMED, ids=label)
 def test_a_simulated_effect_is_explained_by_its_name(simulated, setting):
     outcome, _, case = simulated(*setting)
-    assert outcome.report["verdict"] == "explained"
+    assert report_of(outcome)["verdict"] == "explained"
     truths = [[e, *e.get("equals", ())] for e in case.truth["effects"]]
-    assert len(outcome.report["effects"]) == len(truths)
-    for names in listed(outcome.report):  # the truth is what is named, or stands among what cannot be told from it
+    assert len(report_of(outcome)["effects"]) == len(truths)
+    for names in listed(report_of(outcome)):  # the truth is what is named, or stands among what cannot be told from it
         assert any(triple(e) in names for group in truths for e in group)
 
 
@@ -58,36 +58,36 @@ def test_a_simulated_machine_is_predicted_as_well_as_by_knowing_the_effect(simul
 @pytest.mark.parametrize("setting", QUIET, ids=label)
 def test_nothing_is_named_on_a_machine_without_an_effect(simulated, setting):
     outcome, guess, case = simulated(*setting)
-    assert (outcome.report["verdict"], outcome.report["effects"]) == ("nothing_to_explain", [])
+    assert (report_of(outcome)["verdict"], report_of(outcome)["effects"]) == ("nothing_to_explain", [])
     assert rms_um(guess - case.fresh_truth / 1e3) <= LIMIT * case.truth["fresh_bound_um"]
 
 
 def test_a_column_that_nobody_logged_is_never_explained(simulated):
     outcome, _, case = simulated(20041, "missing", 1, "XYFZ", "random", 400)
     assert case.truth["missing"]
-    assert outcome.report["verdict"] in ("unexplained", "partly_explained")
-    for effect in outcome.report["effects"]:
+    assert report_of(outcome)["verdict"] in ("unexplained", "partly_explained")
+    for effect in report_of(outcome)["effects"]:
         assert "t" in effect["driver"].split("*") or effect["shape"] == "random"
 
 
 def test_a_driver_that_jumps_from_reading_to_reading_shows_as_one_body_s_motion(simulated):
     outcome, _, case = simulated(20042, "unlogged", 1, "XYFZ", "random", 400)
-    assert outcome.report["verdict"] == "partly_explained"
-    [effect] = outcome.report["effects"]
+    assert report_of(outcome)["verdict"] == "partly_explained"
+    [effect] = report_of(outcome)["effects"]
     assert effect["component"] == case.truth["unlogged"]["component"]
 
 
 def test_the_size_of_a_motion_that_jumps_is_its_rms_over_the_readings(simulated):
     outcome, _, case = simulated(20042, "unlogged", 1, "XYFZ", "random", 400)
-    [effect] = outcome.report["effects"]
+    [effect] = report_of(outcome)["effects"]
     assert effect["amplitude_um"] == pytest.approx(case.truth["unlogged"]["rms_3d_um"], rel=0.25)
 
 
 def test_an_odd_shape_is_located_and_keeps_no_name(simulated):
     outcome, _, case = simulated(20043, "odd", 3, "FXYZ", "random", 400)
-    assert outcome.report["verdict"] in ("unexplained", "partly_explained")
-    assert all(e["shape"] in ("smooth", "random") for e in outcome.report["effects"])
-    found = {d["column"] for d in outcome.report["depends_on"] if d["p"] < 0.01}
+    assert report_of(outcome)["verdict"] in ("unexplained", "partly_explained")
+    assert all(e["shape"] in ("smooth", "random") for e in report_of(outcome)["effects"])
+    found = {d["column"] for d in report_of(outcome)["depends_on"] if d["p"] < 0.01}
     assert found & {c for e in case.truth["effects"] for c in e["driver"].split("*")}
 
 
@@ -95,15 +95,15 @@ def test_a_period_that_the_grid_aliases_is_said_to_be_aliased(simulated):
     outcome, _, case = simulated(20044, "cyclic", 1, "FXYZ", "grid", 432)
     [truth] = case.truth["effects"]
     assert truth["alias_periods"]
-    for effect in outcome.report["effects"]:
+    for effect in report_of(outcome)["effects"]:
         if effect["shape"] == "periodic":
             assert "aliased" in effect["note"] and effect["alias_periods"]
-    assert "alias" in json.dumps(outcome.report)
+    assert "alias" in json.dumps(report_of(outcome))
 
 
 def test_gross_outliers_of_a_simulated_case_are_listed_and_left_unnamed(simulated):
     outcome, _, case = simulated(*NAMED[2])
     rows = case.truth["outlier_rows"]
     assert len(rows) > 3  # row 0 is line 2: a header, and lines count from 1
-    assert [o["line"] for o in outcome.report["outliers"]] == [row + 2 for row in rows]
-    assert len(outcome.report["effects"]) == len(case.truth["effects"])
+    assert [o["line"] for o in report_of(outcome)["outliers"]] == [row + 2 for row in rows]
+    assert len(report_of(outcome)["effects"]) == len(case.truth["effects"])

@@ -8,9 +8,8 @@ import pytest
 
 from sensworkbench.closedloop import plan_advice
 from sensworkbench.closedloop.design import ALL_SYMBOLS, declared_columns
-from sensworkbench.closedloop.fit import fit, null_space_words
+from sensworkbench.closedloop.fit import fit, null_space
 from sensworkbench.closedloop.plan import (
-    HIDDEN,
     LEADS,
     Plan,
     alias_frequencies,
@@ -20,6 +19,7 @@ from sensworkbench.closedloop.plan import (
     plain,
 )
 from sensworkbench.closedloop.readings import Readings
+from sensworkbench.closedloop.settings import DEFAULT
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import omega
 from tests.simulator import kinematics
@@ -75,7 +75,7 @@ def test_rank_and_null_space_are_those_of_a_fit_of_readings_at_these_places():
         readings = measured(SIMULATED, q, noise=NOISE, tool=0.0 if offset is None else offset)
         fitted = fit(plan.design, readings)
         assert plan.rank == fitted.basis.rank
-        assert plan.null_space == null_space_words(fitted, 1 if offset is None else 3)
+        assert plan.null_space == null_space(fitted, plan.readings)
         assert len(plan.null_space) == plan.parameters - plan.rank
         assert bool(plan.null_space) == (tools is None)
 
@@ -190,7 +190,7 @@ def test_places_at_random_have_no_alias():
 
 def test_what_needs_a_column_that_is_not_planned_is_not_testable():
     plan = planned(scattered(100, 2))
-    needs = {n["effect"]: n["needs"] for n in plan.not_testable}
+    needs = {str(effect): columns for effect, columns in plan.not_testable}
     assert "dir_x" in needs["reversal error (backlash)"] and "t_s" in needs["drift in time"]
     testable = {entry.name for entry, found in plan.physical() if found}
     assert not testable & set(needs)
@@ -267,7 +267,7 @@ def test_single_directions_and_sensing_vectors_are_planned_too():
     full = Plan(MACHINE, as_readings(positions, NOISE))
     assert along.readings.rows == 120 and np.allclose(along.readings.sense, n)
     pick = lambda p: next(c for c in p.named if (c.symbol, str(c.driver)) == ("EXX", "dir_x"))  # noqa: E731
-    assert HIDDEN < pick(along).visible < pick(full).visible
+    assert DEFAULT.visible < pick(along).visible < pick(full).visible
 
 
 def test_the_plain_candidates_of_an_effect_come_first(scattered_plan):

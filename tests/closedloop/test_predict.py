@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from sensworkbench.closedloop import outcome
+from sensworkbench.closedloop import scores
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.effects import to_effect
 from sensworkbench.closedloop.predict import extrapolated, needed_columns, predict
+from sensworkbench.closedloop.problem import Problem, State
 from sensworkbench.closedloop.readings import Readings
-from sensworkbench.closedloop.search import Candidate
+from sensworkbench.closedloop.search import ScoredTerm, surface_candidate
 from sensworkbench.closedloop.surface import surface
-from sensworkbench.closedloop.tracer import Tracer, surface_candidate
 from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.shapes import Regressor
@@ -42,7 +42,7 @@ SHAPES = {
 
 
 @pytest.fixture(scope="module")
-def tracer() -> Tracer:
+def tracer() -> State:
     """Readings with three tools in three runs; effects are fitted to them whether they are there or not."""
     simulated, machine = both("XYFZ", (10, -20, -150), APART)
     q = scattered(270, 2)
@@ -50,35 +50,37 @@ def tracer() -> Tracer:
     tool, run = TOOLS[np.arange(270) % 3], np.arange(270) // 90 + 1
     bend = {"EAZ": 6e-6 * columns["temp_column"], "EYY": 2e-3 * np.sin(q[:, 0] / 80) * columns["temp_ambient"]}
     readings = measured(simulated, q, bend, columns, NOISE, seed=2, tool=tool, run=run)
-    return Tracer(machine, readings, permutations=9)
+    return State(Problem(machine, readings, permutations=9))
 
 
-def augmented(tracer: Tracer, candidates):
+def augmented(tracer: State, candidates):
     """The machine with these candidates fitted as effects, and what that fit says of its own readings, (R,) mm."""
     full = tracer.fit_with(candidates)
     at, effects = len(full.design.terms), []
     for i, c in enumerate(candidates):
-        m = c.vectors(tracer.readings.columns).shape[1]
+        m = c.vectors(tracer.problem.readings.columns).shape[1]
         block = slice(at, at + m)
         at += m
         fitted = replace(c, coefficients=full.coefficients[block])
-        effects.append(to_effect(f"effect {i}", fitted, full.covariance[block, block], {}, tracer.readings.units))
-    machine = outcome.fitted_machine(tracer.machine, full, tracer.readings, effects)
-    extra = tracer.columns_of(candidates)
+        effects.append(
+            to_effect(f"effect {i}", fitted, full.covariance[block, block], {}, tracer.problem.readings.units)
+        )
+    machine = scores.fitted_machine(tracer.problem.machine, full, tracer.problem.readings, effects)
+    extra = tracer.problem.columns_of(candidates)
     x = full.design.matrix if extra is None else np.hstack([full.design.matrix, extra])
     return machine, x @ full.coefficients
 
 
-def candidate(name) -> Candidate:
+def candidate(name) -> ScoredTerm:
     symbol, shape = SHAPES[name]
-    return Candidate(symbol, shape, 0.0, np.zeros(0), 1.0, 0.0)
+    return ScoredTerm(symbol, shape, 0.0, np.zeros(0), 1.0, 0.0)
 
 
-def smooth(tracer: Tracer) -> Candidate:
+def smooth(tracer: State) -> ScoredTerm:
     """A smooth surface over x and the ambient temperature that shifts the saddle along y."""
     fitted = tracer.fit_with([])
     found = surface(
-        tracer.rows(fitted), tracer.readings.columns, ALL_SYMBOLS.index("EYY"), ("x", "temp_ambient"), (8, 8)
+        tracer.rows(fitted), tracer.problem.readings.columns, ALL_SYMBOLS.index("EYY"), ("x", "temp_ambient"), (8, 8)
     )
     return surface_candidate(found)
 
@@ -92,16 +94,16 @@ def test_the_file_predicts_what_the_fit_says(tracer, name):
     candidates = [smooth(tracer) if name == "smooth" else candidate(name)]
     machine, said = augmented(tracer, candidates)
     again = machine_json.loads(machine_json.dumps(machine))
-    predicted = along(tracer.readings, predict(again, tracer.readings))
+    predicted = along(tracer.problem.readings, predict(again, tracer.problem.readings))
     assert predicted == pytest.approx(said, abs=1e-8)  # mm: a hundredth of a nanometre
-    assert np.ptp(again.effects[0].values(tracer.readings.columns)) > 0
+    assert np.ptp(again.effects[0].values(tracer.problem.readings.columns)) > 0
 
 
 def test_all_effects_at_once_predict_together(tracer):
     candidates = [candidate(n) for n in SHAPES if n not in ("lag", "power")] + [smooth(tracer)]
     machine, said = augmented(tracer, candidates)
     again = machine_json.loads(machine_json.dumps(machine))
-    assert along(tracer.readings, predict(again, tracer.readings)) == pytest.approx(said, abs=1e-7)
+    assert along(tracer.problem.readings, predict(again, tracer.problem.readings)) == pytest.approx(said, abs=1e-7)
 
 
 @pytest.mark.parametrize("name", [*SHAPES, "smooth"])
@@ -117,9 +119,9 @@ def test_an_augmented_machine_comes_back_from_its_file_as_it_was(tracer, name):
 def test_an_effect_that_is_switched_off_takes_no_part(tracer):
     machine, _ = augmented(tracer, [candidate("linear")])
     off = replace(machine, effects=tuple(replace(e, enabled=False) for e in machine.effects))
-    plain = predict(machine, tracer.readings, effects=False)
-    assert predict(off, tracer.readings) == pytest.approx(plain)
-    assert np.abs(predict(machine, tracer.readings) - plain).max() > 1e-4
+    plain = predict(machine, tracer.problem.readings, effects=False)
+    assert predict(off, tracer.problem.readings) == pytest.approx(plain)
+    assert np.abs(predict(machine, tracer.problem.readings) - plain).max() > 1e-4
     assert needed_columns(machine) == ["temp_column"] and needed_columns(off) == []
 
 
@@ -141,19 +143,19 @@ def test_the_alignment_and_the_offsets_of_runs_and_tools_belong_to_the_set_up(tr
 def test_a_missing_column_is_refused_by_name(tracer):
     for name, column in (("linear", "temp_column"), ("lag", "t"), ("hysteresis", "y"), ("smooth", "temp_ambient")):
         machine, _ = augmented(tracer, [smooth(tracer) if name == "smooth" else candidate(name)])
-        short = {k: v for k, v in tracer.readings.columns.items() if k != column}
+        short = {k: v for k, v in tracer.problem.readings.columns.items() if k != column}
         with pytest.raises(Refused, match=column):
-            predict(machine, replace(tracer.readings, columns=short))
+            predict(machine, replace(tracer.problem.readings, columns=short))
 
 
 def test_a_machine_without_a_fit_predicts_nothing(tracer):
     with pytest.raises(Refused, match="no fitted errors"):
-        predict(tracer.machine, tracer.readings)
+        predict(tracer.problem.machine, tracer.problem.readings)
 
 
 def test_outside_what_the_fit_has_seen_is_marked(tracer):
     machine, _ = augmented(tracer, [candidate("linear")])
-    inside = tracer.readings
+    inside = tracer.problem.readings
     assert not extrapolated(machine, inside).any()
     warm = {**inside.columns, "temp_column": inside.columns["temp_column"] + np.where(np.arange(270) == 7, 9.0, 0.0)}
     assert np.flatnonzero(extrapolated(machine, replace(inside, columns=warm))).tolist() == [7]
@@ -167,11 +169,11 @@ def test_outside_what_the_fit_has_seen_is_marked(tracer):
 def test_uncertainties_are_stored_for_what_is_determined_and_for_nothing_else():
     simulated, machine = both("FXYZ", (0, 0, 0))
     readings = measured(simulated, scattered(200, 3), columns=session(200, 3), noise=NOISE, seed=3)
-    tracer = Tracer(machine, readings, permutations=9)
+    tracer = State(Problem(machine, readings, permutations=9))
     fitted, _ = augmented(tracer, [])
     assert all(u is None for u in fitted.fitted.series["EAZ"].u[1:])  # no lever arm: nothing printed for it
     assert all(u > 0 for u in fitted.fitted.series["EAX"].u[1:])
-    names, covariance = outcome.covariance_table(tracer.fit_with([]))
+    names, covariance = scores.covariance_table(tracer.fit_with([]))
     at = names.index("declared EAX (order 1)")
     assert np.sqrt(covariance[at, at]) == pytest.approx(1e6 * fitted.fitted.series["EAX"].u[1], rel=1e-9)
 
@@ -179,7 +181,7 @@ def test_uncertainties_are_stored_for_what_is_determined_and_for_nothing_else():
 def test_a_tool_that_no_reading_had_is_marked():
     simulated, machine = both("FXYZ", (0, 0, 0))
     readings = measured(simulated, scattered(200, 3), columns=session(200, 3), noise=NOISE, seed=3)
-    fitted, _ = augmented(Tracer(machine, readings, permutations=9), [])
+    fitted, _ = augmented(State(Problem(machine, readings, permutations=9)), [])
     at = Readings.from_vectors(readings.q[:2], np.full((2, 3), np.nan))
     assert not extrapolated(fitted, at).any()
     longer = replace(at, tool_offset=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, -150.0]]))

@@ -13,9 +13,11 @@ from sensworkbench.closedloop import evidence
 from sensworkbench.closedloop.bank import bank, log_tail
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.freeform import normal_score
+from sensworkbench.closedloop.problem import Problem, State
+from sensworkbench.closedloop.remainder import remainder
 from sensworkbench.closedloop.scan import MIN_VISIBLE, Rows, Scanner, exact_gain
-from sensworkbench.closedloop.search import Candidate, handicap
-from sensworkbench.closedloop.tracer import Tracer
+from sensworkbench.closedloop.search import ScoredTerm, handicap
+from sensworkbench.closedloop.settings import TraceSettings
 from sensworkbench.core.shapes import Regressor
 from tests.simulator import make_case
 
@@ -29,17 +31,17 @@ def scanned():
     """A case with outliers, roughness, runs or tools: its tracer, declared fit, rows and scanner."""
     case = make_case(20001, "thermal_scale", 2, "XYFZ", "lines", count=240, with_rivals=False)
     machine, readings, _ = from_case(case)
-    tracer = Tracer(machine, readings, permutations=19)
+    tracer = State(Problem(machine, readings, permutations=19))
     fitted = tracer.fit_with([])
     rows = tracer.rows(fitted)
-    return tracer, fitted, rows, Scanner(rows, tracer.bank, readings.columns)
+    return tracer, fitted, rows, Scanner(rows, tracer.problem.bank, columns=readings.columns)
 
 
 def refitted_gain(tracer, fitted, symbol: int, vectors) -> tuple[float, np.ndarray]:
     """Drop of chi-square and coefficients when the candidate's columns join, by refitting everything."""
-    weighted = tracer.design.matrix * fitted.weight[:, None]
-    y = tracer.readings.value * fitted.weight
-    columns = tracer.design.lever[:, [symbol]] * vectors[tracer.readings.point] * fitted.weight[:, None]
+    weighted = tracer.problem.design.matrix * fitted.weight[:, None]
+    y = tracer.problem.readings.value * fitted.weight
+    columns = tracer.problem.design.lever[:, [symbol]] * vectors[tracer.problem.readings.point] * fitted.weight[:, None]
     _, without = least_squares(weighted, y)
     solution, with_ = least_squares(np.hstack([weighted, columns]), y)
     return without - with_, solution[weighted.shape[1] :]
@@ -51,8 +53,8 @@ def drawn(scanned, count: int, width: int, seed: int):
     rng = np.random.default_rng(seed)
     found = []
     while len(found) < count:
-        k, c = int(rng.integers(len(tracer.bank))), int(rng.integers(len(ALL_SYMBOLS)))
-        if tracer.bank[k].size == width and scanner.visible[k, c] > MIN_VISIBLE:
+        k, c = int(rng.integers(len(tracer.problem.bank))), int(rng.integers(len(ALL_SYMBOLS)))
+        if tracer.problem.bank[k].size == width and scanner.visible[k, c] > MIN_VISIBLE:
             found.append((k, c))
     return found
 
@@ -61,23 +63,23 @@ def drawn(scanned, count: int, width: int, seed: int):
 def test_the_gain_of_a_candidate_is_the_drop_of_chi_square_of_a_refit(scanned, width, count):
     tracer, fitted, rows, _ = scanned
     for k, c in drawn(scanned, count, width, width):
-        vectors = tracer.bank[k].vectors(tracer.readings.columns)
+        vectors = tracer.problem.bank[k].vectors(tracer.problem.readings.columns)
         gain, coefficients, _ = exact_gain(rows, c, vectors)
         expected, solution = refitted_gain(tracer, fitted, c, vectors)
-        assert gain == pytest.approx(expected, rel=1e-6, abs=1e-6 * fitted.chi2), tracer.bank[k]
+        assert gain == pytest.approx(expected, rel=1e-6, abs=1e-6 * fitted.chi2), tracer.problem.bank[k]
         if width == 1:
             assert coefficients == pytest.approx(solution, rel=1e-4)
 
 
 def test_the_gain_beside_other_effects_is_that_of_a_refit_with_them(scanned):
     tracer, fitted, _, _ = scanned
-    other = Candidate("EXX", Regressor.make("temp_scale_x*x", "linear"), 0.0, np.zeros(0), 1.0, 0.0)
+    other = ScoredTerm("EXX", Regressor.make("temp_scale_x*x", "linear"), 0.0, np.zeros(0), 1.0, 0.0)
     rows = tracer.rows_with(fitted, [other])
-    weighted = np.hstack([tracer.design.matrix, tracer.columns_of([other])]) * fitted.weight[:, None]
-    y = tracer.readings.value * fitted.weight
+    weighted = np.hstack([tracer.problem.design.matrix, tracer.problem.columns_of([other])]) * fitted.weight[:, None]
+    y = tracer.problem.readings.value * fitted.weight
     for k, c in drawn(scanned, 25, 1, 7):
-        vectors = tracer.bank[k].vectors(tracer.readings.columns)
-        column = tracer.design.lever[:, [c]] * vectors[tracer.readings.point] * fitted.weight[:, None]
+        vectors = tracer.problem.bank[k].vectors(tracer.problem.readings.columns)
+        column = tracer.problem.design.lever[:, [c]] * vectors[tracer.problem.readings.point] * fitted.weight[:, None]
         drop = least_squares(weighted, y)[1] - least_squares(np.hstack([weighted, column]), y)[1]
         gain, _, visible = exact_gain(rows, c, vectors)
         if visible > MIN_VISIBLE:
@@ -90,10 +92,10 @@ def test_all_scores_at_once_are_the_scores_one_by_one(scanned, width):
     scores = scanner.scores()
     compared = 0
     for k, c in drawn(scanned, 300, width, 10 + width):
-        vectors = tracer.bank[k].vectors(tracer.readings.columns)
+        vectors = tracer.problem.bank[k].vectors(tracer.problem.readings.columns)
         gain, _, visible = exact_gain(rows, c, vectors)
         if width == 2:  # nearly one column: scored as one, never above the truth
-            across, squares, _ = rows.per_point(c)
+            across, squares, *_ = rows.per_point(c)
             gram = (vectors * squares[:, None]).T @ vectors - (vectors.T @ across) @ (across.T @ vectors)
             if gram[0, 1] ** 2 > 0.998 * gram[0, 0] * gram[1, 1]:
                 assert scores.gain[k, c] <= gain * (1 + 1e-6) + 1e-6
@@ -106,7 +108,7 @@ def test_all_scores_at_once_are_the_scores_one_by_one(scanned, width):
 
 def test_components_that_the_model_holds_already_gain_nothing(scanned):
     tracer, _, _, scanner = scanned
-    linear_x = next(k for k, s in enumerate(tracer.bank) if s.key == ("x", "linear"))
+    linear_x = next(k for k, s in enumerate(tracer.problem.bank) if s.key == ("x", "linear"))
     scores = scanner.scores()
     assert scores.visible[linear_x, ALL_SYMBOLS.index("EXX")] < 1e-6
     assert scores.tail[linear_x, ALL_SYMBOLS.index("EXX")] == 0
@@ -159,8 +161,8 @@ def plain():
     """A small bank on a plan of 150 places, to be scanned many times."""
     simulated, machine = both("FXYZ", (10, -20, -150))
     readings = measured(simulated, scattered(150, 3), columns=session(150, 3), noise=NOISE, seed=3)
-    tracer = Tracer(machine, readings, permutations=99)
-    return tracer, tracer.rows(tracer.fit_with([])), tracer.bank[::9]
+    tracer = State(Problem(machine, readings, permutations=99))
+    return tracer, tracer.rows(tracer.fit_with([])), tracer.problem.bank[::9]
 
 
 def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
@@ -169,8 +171,10 @@ def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
     p = []
     for trial in range(60):
         noise = rng.normal(size=len(rows.residual))
-        noise -= rows.q @ (rows.q.T @ noise)
-        scanner = Scanner(Rows(rows.lever, noise, rows.start, rows.q), shapes, tracer.readings.columns)
+        noise -= rows.ortho @ (rows.ortho.T @ noise)
+        scanner = Scanner(
+            Rows(rows.lever, noise, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns
+        )
         signs = evidence.flips(tracer.block, 99, trial)[:, tracer.row_block]
         p.append(evidence.p_value(float(scanner.scores().tail.max()), scanner.null_maxima(signs)))
     assert stats.kstest(p, "uniform").pvalue > 0.01
@@ -180,19 +184,22 @@ def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
 
 def test_an_effect_that_is_there_is_beyond_every_flip(plain):
     tracer, rows, shapes = plain
-    column = rows.lever[:, ALL_SYMBOLS.index("EAZ")] * tracer.readings.columns["temp_column"][tracer.readings.point]
+    column = (
+        rows.lever[:, ALL_SYMBOLS.index("EAZ")]
+        * tracer.problem.readings.columns["temp_column"][tracer.problem.readings.point]
+    )
     noise = np.random.default_rng(6).normal(size=len(column))
-    noise -= rows.q @ (rows.q.T @ noise)
-    effect = column - rows.q @ (rows.q.T @ column)
+    noise -= rows.ortho @ (rows.ortho.T @ noise)
+    effect = column - rows.ortho @ (rows.ortho.T @ column)
     planted = noise + effect * 10.0 / np.linalg.norm(effect)  # chi-square of about 100
-    with_ = Scanner(Rows(rows.lever, planted, rows.start, rows.q), shapes, tracer.readings.columns)
-    null = Scanner(Rows(rows.lever, noise, rows.start, rows.q), shapes, tracer.readings.columns)
+    with_ = Scanner(Rows(rows.lever, planted, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns)
+    null = Scanner(Rows(rows.lever, noise, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns)
     assert evidence.p_value(float(with_.scores().tail.max()), null.null_maxima(tracer.signs)) == 0.01
 
 
 def test_the_null_maxima_are_the_maxima_of_scores_under_flipped_residuals(plain):
     tracer, rows, shapes = plain
-    scanner = Scanner(rows, shapes, tracer.readings.columns)
+    scanner = Scanner(rows, shapes, columns=tracer.problem.readings.columns)
     few = tracer.signs[:4]
     one_by_one = [scanner.scores(r).tail.max() for r in rows.flipped(few)]
     assert scanner.null_maxima(few) == pytest.approx(one_by_one, rel=1e-3)
@@ -256,27 +263,26 @@ def test_a_p_value_counts_the_observed_one_among_the_flips():
 
 def test_the_shift_of_a_candidate_between_bodies_does_not_change_its_gain(scanned):
     tracer, _, rows, _ = scanned
-    vectors = Regressor.make("temp_column", "linear").vectors(tracer.readings.columns)
+    vectors = Regressor.make("temp_column", "linear").vectors(tracer.problem.readings.columns)
     gains = [exact_gain(rows, ALL_SYMBOLS.index(s), vectors)[0] for s in ("EXX", "EXY", "EXZ", "EXT", "EXW")]
     assert gains == pytest.approx([gains[0]] * 5, rel=1e-9)
-    assert replace(rows).per_point(0)[2].shape == (tracer.readings.points,)
+    assert replace(rows).per_point(0)[2].shape == (tracer.problem.readings.points,)
 
 
 def test_some_of_the_points_alone_are_a_model_of_their_own(scanned):
     _, _, rows, _ = scanned
     some = rows.thinned(np.arange(0, len(rows.start), 3))
-    assert len(some.start) == len(range(0, len(rows.start), 3)) and some.q.shape[1] <= rows.q.shape[1]
-    assert some.q.T @ some.q == pytest.approx(np.eye(some.q.shape[1]), abs=1e-12)
-    assert np.abs(some.q.T @ some.residual).max() < 1e-9 * np.linalg.norm(some.residual)
+    assert len(some.start) == len(range(0, len(rows.start), 3)) and some.ortho.shape[1] <= rows.ortho.shape[1]
+    assert some.ortho.T @ some.ortho == pytest.approx(np.eye(some.ortho.shape[1]), abs=1e-12)
+    assert np.abs(some.ortho.T @ some.residual).max() < 1e-9 * np.linalg.norm(some.residual)
 
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
-def test_nothing_is_left_of_noise_where_a_scan_looks_at_some_points_only(monkeypatch, seed):
-    monkeypatch.setattr("sensworkbench.closedloop.tracer.MOST_SCANNED", 100)
+def test_nothing_is_left_of_noise_where_a_scan_looks_at_some_points_only(seed):
     simulated, machine = both("XYFZ", (10, -20, 400))
     columns = session(900, seed)
     bend = {"EAZ": 5e-6 * columns["temp_column"]}
     readings = measured(simulated, scattered(900, seed), bend, columns, NOISE, seed=seed)
-    tracer = Tracer(machine, readings, seed=seed)
-    found = Candidate("EAZ", Regressor.make("temp_column", "linear"), 0.0, np.zeros(1), 1.0, 0.0)
-    assert tracer.thin is not None and tracer.remainder([found]).p > 0.01
+    tracer = State(Problem(machine, readings, TraceSettings(scanned=100), seed))
+    found = ScoredTerm("EAZ", Regressor.make("temp_column", "linear"), 0.0, np.zeros(1), 1.0, 0.0)
+    assert tracer.problem.thin is not None and remainder(tracer, [found]).p > 0.01

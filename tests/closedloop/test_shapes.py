@@ -13,8 +13,11 @@ from sensworkbench.closedloop.bank import useful_columns
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.freeform import FreeScan, free_form, subspace_gain
 from sensworkbench.closedloop.naming import slow_columns
+from sensworkbench.closedloop.problem import Problem, State
+from sensworkbench.closedloop.remainder import remainder
+from sensworkbench.closedloop.search import surface_candidate
+from sensworkbench.closedloop.settings import DEFAULT
 from sensworkbench.closedloop.surface import locate
-from sensworkbench.closedloop.tracer import DETECTABLE, Tracer, surface_candidate
 from sensworkbench.core.driver import Driver
 from sensworkbench.core.effects import Effect
 from sensworkbench.core.refusal import Refused
@@ -145,21 +148,20 @@ def odd():
     twist = 4 * NOISE * np.sin(4 * u) * np.cos(q[:, 1] / 100.0)
     readings = measured(simulated, q, {"EZY": twist}, columns, NOISE, seed=4)
     quiet = measured(simulated, q, {}, columns, NOISE, seed=4)
-    tracers = [Tracer(machine, r, permutations=99) for r in (readings, quiet)]
-    tracers[0].twist = twist
-    return tracers
+    tracers = [State(Problem(machine, r, permutations=99)) for r in (readings, quiet)]
+    return (*tracers, twist)
 
 
 def test_the_gain_of_a_free_form_is_the_drop_of_chi_square_of_a_refit(odd):
     tracer = odd[0]
     fitted = tracer.fit_with([])
     rows = tracer.rows(fitted)
-    weighted, y = tracer.design.matrix * fitted.weight[:, None], tracer.readings.value * fitted.weight
+    weighted, y = tracer.problem.design.matrix * fitted.weight[:, None], tracer.problem.readings.value * fitted.weight
     for symbol, names in (("EZY", ("t", "y")), ("EAX", ("temp_column",)), ("EBZ", ("dir_x", "temp_ambient"))):
-        vectors = free_form(tracer.readings.columns, names).vectors
+        vectors = free_form(tracer.problem.readings.columns, names).vectors
         c = ALL_SYMBOLS.index(symbol)
         gain, dims = subspace_gain(rows, c, vectors)
-        columns = tracer.design.lever[:, [c]] * vectors[tracer.readings.point] * fitted.weight[:, None]
+        columns = tracer.problem.design.lever[:, [c]] * vectors[tracer.problem.readings.point] * fitted.weight[:, None]
         drop = least_squares(weighted, y)[1] - least_squares(np.hstack([weighted, columns]), y)[1]
         assert gain == pytest.approx(drop, rel=0.02, abs=3.0)  # hardly visible directions are left out
         assert 0 < dims <= vectors.shape[1]
@@ -167,22 +169,23 @@ def test_the_gain_of_a_free_form_is_the_drop_of_chi_square_of_a_refit(odd):
 
 def test_free_forms_of_two_columns_locate_a_shape_that_no_catalogue_holds(odd):
     tracer = odd[0]
-    found, null = FreeScan(tracer.rows(tracer.fit_with([])), tracer.readings).best(tracer.signs)
+    found, null = FreeScan(tracer.rows(tracer.fit_with([])), tracer.problem.readings).best(tracer.signs)
     assert found[0].columns == ("y", "t")
     assert found[0].p == 0.01 and found[0].score > null.max()
-    rest = tracer.remainder([])
+    rest = remainder(tracer, [])
     assert set(rest.structure.columns) == {"t", "y"}
-    assert rest.structure.evidence > DETECTABLE and rest.gain[0] > 2 * rest.gain[1]
+    assert rest.structure.evidence > DEFAULT.detectable and rest.gain[0] > 2 * rest.gain[1]
     assert surface_candidate(rest.structure).symbol == "EZY"
     fitted = tracer.fit_with([])
-    twist = tracer.twist[tracer.readings.point] * tracer.design.lever[:, ALL_SYMBOLS.index("EZY")] * fitted.weight
-    shown = twist - fitted.basis.q @ (fitted.basis.q.T @ twist)  # the declared model imitates a part of it
+    lever = tracer.problem.design.lever[:, ALL_SYMBOLS.index("EZY")]
+    twist = odd[2][tracer.problem.readings.point] * lever * fitted.weight
+    shown = twist - fitted.basis.ortho @ (fitted.basis.ortho.T @ twist)  # the declared model imitates a part of it
     assert rest.size == pytest.approx(np.sqrt((shown**2).mean()), rel=0.2)
 
 
 def test_free_forms_find_nothing_in_noise(odd):
     tracer = odd[1]
-    rest = tracer.remainder([])
+    rest = remainder(tracer, [])
     assert rest.p > 0.01 and rest.structure is None
 
 
@@ -190,7 +193,7 @@ def test_a_surface_weighs_width_by_evidence(odd):
     tracer = odd[0]
     rows = tracer.rows(tracer.fit_with([]))
     places = [ALL_SYMBOLS.index(s) for s in ("EXW", "EYW", "EZW")]
-    found = locate(rows, tracer.readings, useful_columns(tracer.readings), places)
+    found = locate(rows, tracer.problem.readings, useful_columns(tracer.problem.readings), places)
     assert [s.evidence for s in found] == sorted((s.evidence for s in found), reverse=True)
     assert ALL_SYMBOLS[found[0].component] == "EZW"
     assert found[0].freedom < 0.5 * found[0].gain

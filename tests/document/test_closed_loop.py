@@ -19,7 +19,7 @@ from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import closed_loop, extract, factory, results, tree
 from sensworkbench.document.examples import make_example
-from sensworkbench.formats import readings_csv, study_files
+from sensworkbench.formats import readings_csv, study_files, trace_json
 
 from . import simulated
 
@@ -115,8 +115,8 @@ def test_a_trace_is_there_again_after_saving(machine, traced, tmp_path):
         assert same.Verdict == "explained" and not same.Stale
         assert same.Readings == opened.getObject(table.Name)
         assert "EAZ driven by temp_column" in same.Summary
-        outcome = closed_loop.outcome_of(same)
-        assert outcome.report == json.loads(json.dumps(_outcomes["one"].report))
+        outcome = closed_loop.evidence_of(same)
+        assert closed_loop.report_of(same) == json.loads(json.dumps(trace_json.to_dict(_outcomes["one"])))
         for name, series in _outcomes["one"].residuals.items():
             np.testing.assert_allclose(outcome.residuals[name], series, rtol=1e-12)
         np.testing.assert_allclose(outcome.covariance[1], _outcomes["one"].covariance[1], rtol=1e-12)
@@ -194,7 +194,7 @@ def test_a_trace_whose_readings_were_deleted_is_refused(machine, traced):
     machine.Document.removeObject(traced[0].Name)
     machine.Document.recompute()
     with pytest.raises(Refused, match="readings were deleted"):
-        closed_loop.outcome_of(traced[1])
+        closed_loop.evidence_of(traced[1])
 
 
 # -- the command line on a document ------------------------------------------------------------------------------------

@@ -73,7 +73,7 @@ FITTED = {
         "u": [0.1, 0.1, None],
     },
     "C0Y": {"value": 12.5, "unit": "urad", "u": 0.4},
-    "alignment": {"EXW": {"value": 3.25, "unit": "um"}, "ECW": {"value": -4.0, "unit": "urad", "u": 1.0}},
+    "alignment": {"EXW": {"value": 3.25, "unit": "um", "u": None}, "ECW": {"value": -4.0, "unit": "urad", "u": 1.0}},
     "runs": {"1": [0.5, 0.0, -0.5], "=2": [0.0, 0.0, 0.0]},
     "covariance": "fit.npz",
 }

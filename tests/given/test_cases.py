@@ -10,7 +10,7 @@ from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.formats import machine_json, readings_csv
 from tests.closedloop.judging import LIMIT, names_exactly, said, triple
-from tests.closedloop.support import from_folder, rms_um
+from tests.closedloop.support import from_folder, report_of, rms_um
 from tests.simulator import read_case
 from tests.simulator.effects import Effect, driver_table
 from tests.simulator.kinematics import from_dict
@@ -63,22 +63,22 @@ def test_the_verdict_of_a_given_case_is_right(given, name):
     expected = "unexplained" if case.truth["kind"] == "odd" else "explained"
     if not case.truth["effects"]:
         expected = "nothing_to_explain"
-    assert outcome.report["verdict"] == expected
+    assert report_of(outcome)["verdict"] == expected
 
 
 @pytest.mark.parametrize("name", "ABCDE")
 def test_the_effects_of_a_given_case_are_named(given, name):
     outcome, _, case = given(name)
-    assert names_exactly(said(outcome.report), case.truth["effects"])
-    assert {triple(e) for e in outcome.report["effects"]} == {triple(e) for e in case.truth["effects"]}
+    assert names_exactly(said(report_of(outcome)), case.truth["effects"])
+    assert {triple(e) for e in report_of(outcome)["effects"]} == {triple(e) for e in case.truth["effects"]}
 
 
 def test_of_an_odd_shape_only_the_columns_are_told(given):
     outcome, _, case = given("F")
-    assert outcome.report["effects"] == []
-    found = {d["column"] for d in outcome.report["depends_on"] if d["p"] < 0.01}
+    assert report_of(outcome)["effects"] == []
+    found = {d["column"] for d in report_of(outcome)["depends_on"] if d["p"] < 0.01}
     assert found == {c for e in case.truth["effects"] for c in e["driver"].split("*")}
-    assert outcome.report["remainder"]["words"] == "structure above the floor that no named effect explains"
+    assert report_of(outcome)["remainder"]["words"] == "structure above the floor that no named effect explains"
 
 
 @pytest.mark.parametrize("name", "ABCDE")
@@ -91,8 +91,8 @@ def test_the_prediction_of_a_given_case_is_as_good_as_knowing_the_effect(given, 
 
 def test_outliers_and_roughness_of_a_given_case_are_listed_and_left_unnamed(given):
     outcome, _, case = given("E")
-    assert len(outcome.report["outliers"]) == pytest.approx(case.truth["outliers"], abs=2)
-    assert len(outcome.report["effects"]) == 1
+    assert len(report_of(outcome)["outliers"]) == pytest.approx(case.truth["outliers"], abs=2)
+    assert len(report_of(outcome)["effects"]) == 1
 
 
 @pytest.mark.parametrize("name", "ABCD")

@@ -62,22 +62,22 @@ def test_an_idle_window_does_nothing(machine, monkeypatch):
 
 
 def test_what_the_trace_says_is_known_in_the_language_of_the_window(workbench):
-    from sensworkbench.closedloop.catalogue import CATALOGUE, describe
-    from sensworkbench.gui import finding_words
+    from sensworkbench.closedloop.catalogue import describe
+    from sensworkbench.core.driver import Driver
+    from sensworkbench.core.shapes import Linear
+    from sensworkbench.formats import trace_json
+    from sensworkbench.gui.finding_words import all_said, said
+    from sensworkbench.messages import Message
 
-    for entry in CATALOGUE.values():
-        assert entry.name in finding_words.SAID and entry.check in finding_words.SAID
-    sentence = "EAZ (order 1), A0Z and EZZ (order 1) cannot be told apart"
-    found = {"name": describe("EAZ", "temp_column", "linear"), "component": "EAZ", "driver": "temp_column"}
-    assert finding_words.said(sentence) == sentence and finding_words.effect_name(found) == found["name"]
+    undetermined = Message("null-alike", names=["EAZ (order 1)", "A0Z"], last="EZZ (order 1)")
+    data = trace_json.said("name", describe("EAZ", Driver(("temp_column",)), Linear()))
+    data |= trace_json.said_all("null_space", [undetermined])
+    english = "EAZ (order 1), A0Z and EZZ (order 1) cannot be told apart"
+    assert all_said(data, "null_space") == [english] and said(data, "name") == data["name"]
     Gui.setLocale("German")
     try:
-        assert finding_words.said(sentence) == "EAZ (order 1), A0Z and EZZ (order 1) sind nicht zu unterscheiden"
-        assert finding_words.said("nothing beyond noise; short waves along the axes (roughness), not named") == (
-            "nichts über das Rauschen hinaus; kurze Wellen entlang der Achsen (Rauheit), nicht benannt"
-        )
-        title = finding_words.effect_name(found)
-        assert title == "thermische Biegung der Struktur: Kippen von Z um X, getrieben von temp_column"
-        assert finding_words.said("a sentence that nobody knows") == "a sentence that nobody knows"
+        assert all_said(data, "null_space") == ["EAZ (order 1), A0Z und EZZ (order 1) sind nicht zu unterscheiden"]
+        assert said(data, "name") != data["name"]
+        assert said({"name": "a trace of an earlier version"}, "name") == "a trace of an earlier version"
     finally:
         Gui.setLocale("English")

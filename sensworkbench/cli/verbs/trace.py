@@ -50,7 +50,9 @@ def run(arguments) -> int:
             if common.same_file(Path(arguments.out) / AUGMENTED, arguments.machine):
                 raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
             paths = study_files.write_trace(arguments.out, outcome, add_document)
-    common.say(outcome.report["verdict"])
-    for effect in outcome.report["effects"]:
-        common.say(f"  {effect['component']} driven by {effect['driver']}: {effect['name']}")
+    common.say(outcome.verdict)
+    for found in outcome.effects:
+        common.say(f"  {found.effect.component} driven by {found.effect.driver}: {found.effect.name}")
+    if outcome.hidden:
+        common.say(f"  {outcome.hidden.title}")
     return common.say_paths(paths)

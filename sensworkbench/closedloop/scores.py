@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a trace says: verdict, findings with their evidence, before and after, and the augmented machine."""
+"""Figures of a fit: the machine as fitted, the error of points in and out of sample, repeats, covariance."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,24 +16,6 @@ from .fit import Fit
 from .readings import Readings
 
 SHIFTS = ("EXW", "EYW", "EZW")
-
-
-@dataclass
-class Outcome:
-    """report : trace.json as a dict.  machine : augmented.  residuals : per-row arrays for pictures, in um.
-
-    covariance : (names, matrix) of the fitted declared parameters, um and urad.
-    """
-
-    report: dict
-    machine: Machine
-    readings: Readings
-    residuals: dict[str, np.ndarray]
-    covariance: tuple[list[str], np.ndarray]
-    log: list[str] = field(default_factory=list)
-
-    def to_dict(self) -> dict:
-        return self.report
 
 
 def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -> Machine:
@@ -122,8 +104,7 @@ def interval(error_um: np.ndarray, readings: Readings, block, use, seed: int) ->
 
 def held_out_rows(grams_columns, fitted: Fit, row_block: np.ndarray, y: np.ndarray, x: np.ndarray) -> np.ndarray:
     """(R,) residuals of each row predicted by a fit of all other blocks; x (R, n) unweighted columns."""
-    w = fitted.weight
-    grams = evidence.BlockGrams(x[:, grams_columns] * w[:, None], y * w, row_block)
+    grams = evidence.BlockGrams(fitted.white(x[:, grams_columns]), fitted.white(y), row_block)
     out = np.empty(len(y))
     for b, beta in enumerate(grams.left_out_coefficients()):
         rows = row_block == b

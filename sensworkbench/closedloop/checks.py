@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Checks of a fit that a signed result needs: noise against what was stated, repeats, memory, and the guarantee.
+
+More scatter than stated contradicts the stated uncertainty or the model, and withholds `explained`; less is a remark.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..messages import Message
+from . import scores
+from .fit import Fit
+from .freeform import normal_score
+from .noise import lags
+from .problem import State
+from .readings import Readings
+from .result import Guarantee, NoiseSummary
+from .settings import TraceSettings
+
+NAMES = "xyz*"  # of the directions of sensing; *: along a reading's own vector
+
+
+def stated_ratios(fitted: Fit, readings: Readings) -> dict[str, tuple[float, int]]:
+    """direction -> (chi-square per degree of freedom against the stated uncertainty, degrees of freedom).
+
+    Each direction gets its share of the degrees of freedom by its rows.  Empty where no uncertainty is stated.
+    """
+    used = (fitted.weight > 0) & np.isfinite(readings.u) & (readings.u > 0)
+    out = {}
+    share = fitted.dof / max(int(np.count_nonzero(fitted.weight)), 1)
+    for kind in np.unique(readings.kind[used]).tolist():
+        rows = used & (readings.kind == kind)
+        dof = share * np.count_nonzero(rows)
+        if dof >= 3:
+            chi2 = float(((fitted.residual[rows] / readings.u[rows]) ** 2).sum())
+            out[NAMES[kind]] = (chi2 / dof, int(dof))
+    return out
+
+
+def contradicted(fitted: Fit, readings: Readings, settings: TraceSettings) -> dict[str, float]:
+    """direction -> ratio of chi-square where the readings scatter more than stated beyond chance and beyond a tenth.
+
+    The limit is that of the normal score of chi-square at `settings.misfit`, shared by the directions.
+    """
+    found = stated_ratios(fitted, readings)
+    limit = 2.33 if settings.misfit >= 0.01 else 3.09
+    return {k: r for k, (r, dof) in found.items() if r > 1.21 and normal_score(r * dof, dof) > limit}
+
+
+def noise_summary(fitted: Fit, readings: Readings, residual_um, settings: TraceSettings) -> NoiseSummary:
+    """Noise as stated, from repeats and as it shows, with a remark for everything that does not agree."""
+    used = fitted.weight > 0
+    stated = readings.u[used & np.isfinite(readings.u)]
+    pure = scores.replicates(readings, residual_um, used)
+    memory = {NAMES[k]: v[0] for k, v in lags(fitted, readings, 1).items()}
+    modelled = {}
+    if fitted.memory is not None:
+        for kind in np.unique(readings.kind).tolist():
+            rows = (readings.kind == kind) & (fitted.memory.before >= 0)
+            modelled[NAMES[kind]] = float(fitted.memory.phi[rows].max(initial=0.0))
+    ratios = stated_ratios(fitted, readings)
+    remarks = []
+    more = contradicted(fitted, readings, settings)
+    for name, (ratio, dof) in ratios.items():
+        if name in more:
+            remarks.append(Message("noise-more-than-stated", direction=name, ratio=ratio, dof=dof))
+        elif ratio < 0.83 and normal_score(ratio * dof, dof) < -2.33:
+            remarks.append(Message("noise-less-than-stated", direction=name, ratio=ratio, dof=dof))
+    remarks += [Message("noise-remembers", direction=k, correlation=v) for k, v in modelled.items() if v > 0]
+    residual = float(np.sqrt(np.mean([v**2 for v in fitted.noise.values()])))
+    if pure is not None and residual > 1.3 * pure * 1e-3:
+        remarks.append(Message("noise-more-than-repeats", residual=residual * 1e3, pure=pure))
+    return NoiseSummary(
+        stated=float(np.sqrt((stated**2).mean())) if len(stated) else None,
+        pure=None if pure is None else pure * 1e-3,
+        residual=residual,
+        direction={NAMES[k]: v for k, v in fitted.noise.items()},
+        memory=memory,
+        modelled=modelled,
+        ratio={k: r for k, (r, _) in ratios.items()},
+        remarks=tuple(remarks),
+    )
+
+
+def alignment_of(readings: Readings) -> str:
+    """How the set-up was taken to be aligned: "once", "offset per run" or "per run"."""
+    return "once" if readings.run is None or len(set(map(str, readings.run))) < 2 else "offset per run"
+
+
+def guarantee(state: State) -> Guarantee:
+    """What the chance of a false name rests on: the exchanges that were made and their conditions."""
+    conditions = [Message("guarantee-symmetric"), Message("guarantee-blocks", count=int(state.block.max()) + 1)]
+    if any(state.memory.values()):
+        conditions.append(Message("guarantee-memory"))
+    return Guarantee(state.settings.alpha, (("rows", state.problem.permutations, False),), tuple(conditions))

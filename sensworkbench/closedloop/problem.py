@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What does not change during a trace - readings, design, bank - and the state that its stages hand on.
+
+A `State` is a value: a stage returns another one.  Fits, weighted rows and scanners are made here for any set of
+effects under the noise that the state knows.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from ..core.machine import Machine
+from ..core.shapes import Regressor
+from ..core.synthesis import omega
+from . import evidence
+from .bank import bank, useful_columns
+from .design import Design, alike, design
+from .fit import Fit, basis, correlation, fit
+from .readings import Readings
+from .scan import Rows, Scanner
+from .search import ScoredTerm
+from .settings import DEFAULT, TraceSettings
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Machine and readings of one trace, with everything that follows from them alone.
+
+    seed, permutations : of the sign flips behind each p.  design : declared model, or None to build it here.
+    """
+
+    machine: Machine
+    readings: Readings
+    settings: TraceSettings = DEFAULT
+    seed: int = 0
+    permutations: int = 199
+
+    @cached_property
+    def design(self) -> Design:
+        return design(self.machine, self.readings)
+
+    @cached_property
+    def names(self) -> list[str]:
+        """Driver columns that vary."""
+        return useful_columns(self.readings)
+
+    @cached_property
+    def bank(self) -> list[Regressor]:
+        return bank(self.readings)
+
+    @cached_property
+    def groups(self) -> list[list[int]]:
+        """Components (indices) that show alike in these readings."""
+        return alike(self.design.lever)
+
+    @property
+    def component_indices(self) -> list[int]:
+        """One component of each group."""
+        return [g[0] for g in self.groups]
+
+    @cached_property
+    def start(self) -> np.ndarray:
+        """(P,) first row of each point."""
+        return np.flatnonzero(np.r_[True, np.diff(self.readings.point) > 0])
+
+    @cached_property
+    def thin(self) -> np.ndarray | None:
+        """The points that a scan looks at, where there are more than it needs."""
+        count = self.readings.points
+        if count <= self.settings.scanned:
+            return None
+        return np.sort(np.random.default_rng(self.seed).choice(count, self.settings.scanned, replace=False))
+
+    @cached_property
+    def scan_readings(self) -> Readings:
+        return self.readings if self.thin is None else self.readings.select(self.thin)
+
+    @cached_property
+    def scan_rows(self) -> np.ndarray:
+        """(R,) bool: the rows that a scan looks at."""
+        if self.thin is None:
+            return np.ones(self.readings.rows, dtype=bool)
+        return np.isin(self.readings.point, self.thin)
+
+    @cached_property
+    def regressors(self) -> np.ndarray:
+        """(columns of the bank, scanned points) of every entry, at rms 1; computed once."""
+        return Scanner.regressors(self.bank, self.readings.columns, self.thin)
+
+    @cached_property
+    def blocks(self) -> dict[bool, np.ndarray]:
+        """(P,) block of each point: short ones, and long ones (True) for noise that remembers."""
+        s = self.settings
+        return {long: evidence.blocks(self.readings, s.long_blocks if long else s.short_blocks) for long in (0, 1)}
+
+    def columns_of(self, candidates) -> np.ndarray | None:
+        """(R, m) design columns of candidates."""
+        if not candidates:
+            return None
+        point, lever = self.readings.point, self.design.lever
+        return np.concatenate(
+            [lever[:, [c.index]] * c.vectors(self.readings.columns)[point] for c in candidates], axis=1
+        )
+
+    def amplitude(self, c: ScoredTerm) -> float:
+        """3-D rms of an effect over the points, mm."""
+        column = omega(self.machine, [c.symbol], self.readings.q, self.readings.tool_offset)[:, :, 0]
+        motion = c.vectors(self.readings.columns) @ c.coefficients
+        return float(np.sqrt((column**2).sum(axis=1) @ motion**2 / len(motion)))
+
+
+@dataclass(frozen=True)
+class Step:
+    """One effect and its evidence.
+
+    p : family-wise.  size : rms per reading over its noise.  gain : held out (total, standard error), chi-square.
+    selection : share of half-samples.  refused : why it may not carry a name, or None.  pool : what it was chosen from.
+    """
+
+    candidate: ScoredTerm
+    p: float = 1.0
+    size: float = 0.0
+    gain: tuple[float, float] = (0.0, 0.0)
+    selection: float = 0.0
+    refused: object = None
+    pool: tuple[ScoredTerm, ...] = ()
+
+
+@dataclass(frozen=True)
+class State:
+    """What a trace knows: the effects so far with their evidence, the memory of the noise, roughness, and its log.
+
+    memory : direction of sensing -> correlation of successive residuals (0 where they do not remember).
+    """
+
+    problem: Problem
+    steps: tuple[Step, ...] = ()
+    memory: dict = field(default_factory=dict)
+    roughness: tuple[ScoredTerm, ...] = ()
+    log: tuple[str, ...] = ()
+
+    @property
+    def settings(self) -> TraceSettings:
+        return self.problem.settings
+
+    @property
+    def candidates(self) -> list[ScoredTerm]:
+        return [s.candidate for s in self.steps]
+
+    @property
+    def named(self) -> list[Step]:
+        """The steps whose names stand."""
+        return [s for s in self.steps if s.refused is None]
+
+    def significant(self, step: Step) -> bool:
+        s = self.settings
+        return step.p < s.alpha and step.gain[0] > s.held_out * step.gain[1]
+
+    def passes(self, step: Step) -> bool:
+        return self.significant(step) and step.size > self.settings.floor
+
+    def logged(self, line: str) -> State:
+        return replace(self, log=(*self.log, line))
+
+    # -- noise -----------------------------------------------------------------------------------------------------
+    @property
+    def remembers(self) -> bool:
+        """Is the noise correlated from reading to reading, in any direction?"""
+        return max(self.memory.values(), default=0.0) > self.settings.remembers
+
+    @property
+    def inflation(self) -> float:
+        """Variance inflation of a slow column's coefficient by memory that the fits do not model."""
+        return 1.0
+
+    def heard(self, fitted: Fit) -> State:
+        """The state with the memory of the noise taken from what a fit leaves."""
+        return replace(self, memory=correlation(fitted, self.problem.readings, self.settings))
+
+    @property
+    def block(self) -> np.ndarray:
+        return self.problem.blocks[self.remembers]
+
+    @property
+    def row_block(self) -> np.ndarray:
+        return self.block[self.problem.readings.point]
+
+    @property
+    def signs(self) -> np.ndarray:
+        """(permutations, rows of a scan) signs that turn whole blocks."""
+        table = evidence.flips(self.block, self.problem.permutations, self.problem.seed)
+        return table[:, self.row_block[self.problem.scan_rows]].astype(np.float32)
+
+    # -- fits ------------------------------------------------------------------------------------------------------
+    def fit_with(self, candidates) -> Fit:
+        """Robust fit of the declared model and candidates, under the memory of the noise."""
+        p = self.problem
+        return fit(p.design, p.readings, p.columns_of(candidates), memory=self.memory)
+
+    def rows(self, fitted: Fit) -> Rows:
+        """The weighted rows of a fit and of its model."""
+        return self._rows(fitted, fitted.basis.ortho)
+
+    def rows_with(self, fitted: Fit, candidates) -> Rows:
+        """Rows of the model that holds just `candidates`, under the weights of `fitted`."""
+        extra = self.problem.columns_of(candidates)
+        design = self.problem.design.matrix
+        matrix = design if extra is None else np.concatenate([design, extra], axis=1)
+        return self._rows(fitted, basis(fitted.white(matrix)).ortho)
+
+    def _rows(self, fitted: Fit, ortho) -> Rows:
+        y = fitted.white(self.problem.readings.value)
+        lever = self.problem.design.lever * fitted.weight[:, None]
+        return Rows(lever, y - ortho @ (ortho.T @ y), self.problem.start, ortho, fitted.memory)
+
+    def scanned(self, rows: Rows) -> Rows:
+        return rows if self.problem.thin is None else rows.thinned(self.problem.thin)
+
+    def scanner(self, rows: Rows) -> Scanner:
+        p = self.problem
+        return Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors)
+
+    def grams(self, fitted: Fit, others, candidates):
+        """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate)."""
+        p = self.problem
+        parts = [basis(fitted.white(p.design.matrix)).ortho]
+        extra = p.columns_of(others)
+        if extra is not None:
+            parts.append(fitted.white(extra))
+        at = sum(part.shape[1] for part in parts)
+        base, mine = list(range(at)), []
+        for c in candidates:
+            x = fitted.white(p.columns_of([c]))
+            parts.append(x)
+            mine.append(list(range(at, at + x.shape[1])))
+            at += x.shape[1]
+        y = fitted.white(p.readings.value)
+        return evidence.BlockGrams(np.concatenate(parts, axis=1), y, self.row_block), base, mine

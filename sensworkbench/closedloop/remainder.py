@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is left beside the named effects: is it structure, where does it live, does a smooth form of it predict?
+
+Free forms of any two columns test it, a surface locates and sizes it.  What is located is modelled, without a name,
+where it predicts blocks left out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..core.errors import component
+from . import evidence
+from .design import ALL_SYMBOLS
+from .freeform import FreeScan
+from .problem import State
+from .search import ScoredTerm, surface_candidate
+from .surface import Surface, locate, separable, sharpen
+from .unlogged import Unlogged, uneven_noise, unlogged_driver
+
+
+@dataclass(frozen=True)
+class Remainder:
+    """What free forms still find: p, size (rms over noise), the strongest surface, its held-out gain (total, SE)."""
+
+    p: float = 1.0
+    size: float = 0.0
+    structure: Surface | None = None
+    gain: tuple[float, float] = (0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Rest:
+    """All that is left: the first test beside the names, `smooth` forms that predict, `structured`: above the floor;
+    hidden : a motion that nobody logged, or None."""
+
+    first: Remainder
+    smooth: tuple[ScoredTerm, ...] = ()
+    structured: bool = False
+    hidden: Unlogged | None = None
+
+
+def remainder(state: State, model) -> Remainder:
+    """Is there structure beside `model`?"""
+    s, p = state.settings, state.problem
+    fitted = state.fit_with(model)
+    rows = state.scanned(state.rows(fitted))
+    places = [c for c in p.component_indices if component(ALL_SYMBOLS[c]).kind != "squareness"]
+    found, null = FreeScan(rows, p.scan_readings, p.names, places).best(state.signs)
+    if not found:
+        return Remainder()
+    chance, score = found[0].p, found[0].score
+    shifts = [c for c in places if not component(ALL_SYMBOLS[c]).angular]
+    leading = list(dict.fromkeys([*shifts, *[f.component for f in found[:10]]]))[:6]
+    best = locate(rows, p.scan_readings, p.names, leading if chance < 0.05 or score > 4 else shifts)
+    if not best or best[0].evidence < s.detectable:
+        return Remainder(chance, found[0].size(rows.used), None)
+    top = best[0]
+    if chance >= s.alpha:  # sign flips of a strong structure hide it: take it out of the null first
+        clean = state.scanned(state.rows(state.fit_with([*model, surface_candidate(top)])))
+        _, null = FreeScan(clean, p.scan_readings, p.names, places).best(state.signs)
+        chance = min(chance, evidence.p_value(score, null))
+        if top.evidence > s.certain:
+            chance = min(chance, 1.0 / (len(null) + 1))
+    size = float(np.sqrt(max(top.gain - top.freedom, 0.0) / rows.used))
+    grams, base, mine = state.grams(fitted, model, [surface_candidate(top)])
+    held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
+    return Remainder(chance, size, top, held)
+
+
+def rest(state: State) -> Rest:
+    """What the named effects leave: the test, smooth forms worth predicting with, and whether it is above the floor."""
+    s = state.settings
+    model = [step.candidate for step in state.named]
+    first = remainder(state, model)
+    refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
+    structured = (first.p < s.alpha and first.size > s.floor) or bool(refused)
+    smooth: list[ScoredTerm] = []
+    found = first
+    for _ in range(3):
+        if not (structured and found.structure is not None and found.p < s.alpha and found.size > 0.5 * s.floor):
+            break
+        best = _smooth(state, [*model, *smooth], found)
+        if best is None:
+            break
+        smooth.append(best)
+        found = remainder(state, [*model, *smooth])
+    hidden = None if structured else _unlogged(state, [*model, *smooth])
+    return Rest(first, tuple(smooth), structured, hidden)
+
+
+def _smooth(state: State, model, rest: Remainder) -> ScoredTerm | None:
+    """The located surface, if it predicts left-out blocks at all; sharpened once the noise beside it is known."""
+    if rest.gain[0] <= rest.gain[1]:
+        return None
+    found, columns = rest.structure, state.problem.scan_readings.columns
+    for _ in range(2):
+        full = state.fit_with([*model, surface_candidate(found)])
+        rows = state.scanned(state.rows_with(full, model))
+        found = sharpen(rows, columns, found)
+    return surface_candidate(separable(rows, columns, found) or found)
+
+
+def _unlogged(state: State, model) -> Unlogged | None:
+    """A body that moves from reading to reading, by a driver that nobody logged."""
+    p, s = state.problem, state.settings
+    rows = state.rows(state.fit_with(model))
+    for found in (
+        unlogged_driver(rows, s, seed=p.seed),
+        uneven_noise(rows, p.readings.q, p.readings.kind, s, seed=p.seed),
+    ):
+        if found is not None and found.p < s.alpha and found.size > s.floor:
+            return found
+    return None

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""trace.json of a `closedloop.result.TraceResult`: um and urad, sentences in English with their codes.
+
+A sentence stands as text where it always stood; its code and fields stand under "messages" with the path of the text,
+such as "effects[0].rivals[1].why".  `attached` puts them beside their texts, as `<key>_message` or, for a list,
+`<key>_messages`; files without codes are shown as they are.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+
+from sensworkbench.closedloop.result import (
+    HiddenMotion,
+    NamedEffect,
+    NoiseSummary,
+    StageError,
+    TraceResult,
+)
+from sensworkbench.core.effects import shown
+from sensworkbench.core.errors import component
+from sensworkbench.messages import Message
+
+FORMAT, VERSION = "sens-trace", 1
+
+
+# -- sentences ---------------------------------------------------------------------------------------------------------
+def said(key: str, message: Message | None) -> dict:
+    """{key: English text, key_message: code and fields}."""
+    if message is None:
+        return {}
+    return {key: str(message), f"{key}_message": message.to_dict()}
+
+
+def said_all(key: str, messages) -> dict:
+    """{key: [English text], key_messages: [code and fields]}."""
+    return {key: [str(m) for m in messages], f"{key}_messages": [m.to_dict() for m in messages]}
+
+
+def message(data: Mapping) -> Message:
+    """The message of its plain data, messages within it too.  Raises KeyError where there is no code."""
+    fields = {k: _restored(v) for k, v in data.items() if k not in ("code", "text")}
+    return Message(data["code"], **fields)
+
+
+def _restored(value):
+    if isinstance(value, Mapping) and "code" in value and "text" in value:
+        return message(value)
+    return [_restored(v) for v in value] if isinstance(value, list) else value
+
+
+def text(data: Mapping, key: str, language: str = "en") -> str:
+    """The sentence under `key` in a language; as it stands where it has no code ("" where it is not there)."""
+    found = data.get(f"{key}_message")
+    return data.get(key) or "" if not found else message(found).text(language)
+
+
+def texts(data: Mapping, key: str, language: str = "en") -> list[str]:
+    """The sentences under `key` in a language; as they stand where they have no codes."""
+    found = data.get(f"{key}_messages")
+    return list(data.get(key, ())) if found is None else [message(m).text(language) for m in found]
+
+
+# -- the file ----------------------------------------------------------------------------------------------------------
+def to_dict(result: TraceResult) -> dict:
+    """The result as plain data, as it stands in trace.json."""
+    messages: dict[str, dict] = {}
+    data = _detached(_plain(result), "", messages)
+    return data | {"messages": messages}
+
+
+def _detached(value, path: str, messages: dict):
+    """`value` without the messages in it, which go to `messages` by their path."""
+    if isinstance(value, list):
+        return [_detached(v, f"{path}[{i}]", messages) for i, v in enumerate(value)]
+    if not isinstance(value, dict):
+        return value
+    out = {}
+    for key, entry in value.items():
+        at = f"{path}.{key}" if path else key
+        if key.endswith("_message"):
+            messages[at[: -len("_message")]] = entry
+        elif key.endswith("_messages"):
+            messages.update({f"{at[: -len('_messages')]}[{i}]": m for i, m in enumerate(entry)})
+        else:
+            out[key] = _detached(entry, at, messages)
+    return out
+
+
+def attached(data: Mapping) -> dict:
+    """The data of trace.json with each message beside its text; as they are where there are no messages."""
+    messages = data.get("messages", {})
+    return _attached({k: v for k, v in data.items() if k != "messages"}, "", messages)
+
+
+def _attached(value, path: str, messages: Mapping):
+    if isinstance(value, list):
+        return [_attached(v, f"{path}[{i}]", messages) for i, v in enumerate(value)]
+    if not isinstance(value, Mapping):
+        return value
+    out = {}
+    for key, entry in value.items():
+        at = f"{path}.{key}" if path else key
+        out[key] = _attached(entry, at, messages)
+        if at in messages:
+            out[f"{key}_message"] = messages[at]
+        elif f"{at}[0]" in messages:
+            found = (messages.get(f"{at}[{i}]") for i in range(len(messages)))
+            out[f"{key}_messages"] = list(itertools.takewhile(lambda m: m is not None, found))
+    return out
+
+
+def _plain(result: TraceResult) -> dict:
+    """The result with the messages beside their texts."""
+    known = result.identifiability
+    return {
+        "format": FORMAT,
+        "version": VERSION,
+        "verdict": result.verdict,
+        "floor": result.floor,
+        "seed": result.seed,
+        "permutations": result.permutations,
+        "alignment": result.alignment,
+        "guarantee": {
+            "rate": result.guarantee.rate,
+            "by": [{"exchange": e, "number": n, "exact": exact} for e, n, exact in result.guarantee.by],
+            **said_all("conditions", result.guarantee.conditions),
+        },
+        "effects": [_effect(e) for e in result.effects] + ([_hidden(result.hidden)] if result.hidden else []),
+        "error": {name: _stage(e) for name, e in result.error.items()} | said("note", Message("error-note")),
+        "noise": _noise(result.noise),
+        "identifiability": {
+            "columns": known.columns,
+            "rank": known.rank,
+            "condition": known.condition,
+            **said_all("null_space", known.null_space),
+        },
+        "depends_on": [{"column": c, "p": p} for c, p in result.depends_on],
+        "not_testable": [{**said("effect", e), "needs": needs} for e, needs in result.not_testable],
+        **said_all("not_identifiable", result.not_identifiable),
+        "next_measurements": [
+            {
+                **said_all("separates", n.separates),
+                **said("do", n.do),
+                "predicted_difference_um": n.difference * 1e3,
+            }
+            for n in result.next_measurements
+        ],
+        "parameter_shifts": [_shift(s) for s in result.parameter_shifts],
+        "sensitivity_shift": [
+            {"symbol": s.symbol, "before": s.before, "after": s.after} for s in result.sensitivity_shift
+        ],
+        "refused_names": [
+            {"component": r.component, "driver": r.driver, "shape": r.shape, "p_familywise": r.p, **said("why", r.why)}
+            for r in result.refused
+        ],
+        "remainder": _left(result.left),
+        "outliers": [{"line": o.line, "position_mm": list(o.position)} for o in result.outliers],
+        "findings": [
+            {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
+            for f in result.readings.findings
+        ]
+        + [{"severity": "warning", "message": str(m), "line": 0} | m.to_dict() for m in result.remarks],
+    }
+
+
+def _effect(e: NamedEffect) -> dict:
+    entry = {
+        "name": e.effect.name,
+        "name_message": e.title.to_dict(),
+        "component": e.effect.component,
+        "driver": str(e.effect.driver),
+        "shape": e.effect.shape.name,
+        "parameters": {k: v.to_dict() for k, v in shown(e.effect, component(e.effect.component)).items()},
+        "amplitude_um": e.amplitude * 1e3,
+        "p_familywise": e.p,
+        "selection_frequency": e.selection,
+        "held_out_gain_chi2": {"value": e.gain[0], "u": e.gain[1]},
+        "visible_share": e.visible,
+        "size_over_noise": e.size,
+        "rivals": [
+            {"component": r.component, "driver": r.driver, "shape": r.shape, **said("why", r.why)} for r in e.rivals
+        ],
+        **({"catalogue": e.catalogue} if e.catalogue else {}),
+        **said("usual_size", e.usual),
+        **said("check", e.check),
+        **said("note", e.note),
+    }
+    return entry | ({"alias_periods": list(e.aliases)} if e.aliases else {})
+
+
+def _hidden(h: HiddenMotion) -> dict:
+    """A motion that nobody logged stands among the effects; its shape is "random"."""
+    motion, c = h.motion, component(h.motion.symbol)
+    scale = 1e6 if c.angular else 1e3
+    return {
+        **said("name", h.title),
+        "component": motion.symbol,
+        "driver": f"unlogged*{motion.place}" if motion.place else "unlogged",
+        "shape": "random",
+        "parameters": {"rms": {"value": motion.rms * scale, "unit": f"{c.unit}/mm" if motion.place else c.unit}},
+        "amplitude_um": h.amplitude * 1e3,
+        "p_familywise": motion.p,
+        "selection_frequency": motion.selection,
+        "rivals": [],
+    }
+
+
+def _stage(e: StageError) -> dict:
+    return {"in_sample": dict(e.in_sample), "held_out": {**e.held_out, "rms_interval_um": list(e.interval)}}
+
+
+def _noise(n: NoiseSummary) -> dict:
+    um = lambda v: None if v is None else v * 1e3  # noqa: E731
+    return {
+        "stated_um": um(n.stated),
+        "pure_error_um": um(n.pure),
+        "residual_um": um(n.residual),
+        "per_direction_um": {k: um(v) for k, v in n.direction.items()},
+        "memory": dict(n.memory),
+        "memory_modelled": dict(n.modelled),
+        "chi2_per_dof": dict(n.ratio),
+        **said_all("remarks", n.remarks),
+    }
+
+
+def _shift(s) -> dict:
+    scale, unit = (1e6, "urad") if s.angular else (1e3, "um")
+    return {"parameter": s.label, "before": s.before * scale, "after": s.after * scale, "u": s.u * scale, "unit": unit}
+
+
+def _left(left) -> dict:
+    words = "; ".join(str(m) for m in left.words)
+    out = {
+        "words": words,
+        "words_messages": [m.to_dict() for m in left.words],
+        "p": left.p,
+        "rms_over_noise": left.size,
+    }
+    return out | ({"component": left.component, "columns": list(left.columns)} if left.component else {})
