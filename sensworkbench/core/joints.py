@@ -83,6 +83,9 @@ class JointKind:
     angular: bool
     may_be_endless: bool
 
+    def __reduce__(self):
+        return kind_named, (self.name,)  # a copy is the same kind
+
     def twist(self, direction, point) -> np.ndarray:
         """(6,) unit twist (v, w) of motion along or about the line through `point`."""
         raise NotImplementedError
@@ -128,6 +131,11 @@ class _Rotary(JointKind):
 
 LINEAR, ROTARY = _Linear(), _Rotary()
 KINDS: dict[str, JointKind] = {k.name: k for k in (LINEAR, ROTARY)}
+
+
+def kind_named(name: str) -> JointKind:
+    """The kind called "linear" or "rotary"; raises KeyError for others."""
+    return KINDS[name]
 
 
 def rotation_about(direction, angle) -> np.ndarray:
