@@ -43,7 +43,8 @@ class NamedEffect:
     effect : as stored in the machine.  title : what it is.  amplitude : 3-D rms over the points, mm.  p : family-wise.
     selection : share of half-samples that choose it.  gain : held out (total, standard error), chi-square.  visible :
     share that the declared model cannot imitate.  size : rms per reading over its noise.  catalogue : key of the named
-    effect that it is, or "".  usual, check : its usual size and what to look at on the machine, or None.  aliases : periods (mm) that the places cannot tell from its own.
+    effect that it is, or "".  usual, check : its usual size and what to look at on the machine, or None.
+    aliases : periods (mm) that the places cannot tell from its own.
     """
 
     effect: Effect
