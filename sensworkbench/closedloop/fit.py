@@ -20,6 +20,8 @@ from .readings import Readings
 __all__ = ["Basis", "Fit", "basis", "correlation", "fit", "null_space", "robust_scale"]
 
 RANK_TOLERANCE = 1e-6
+NOTHING = 1e-15  # length of a column over the longest: less is what rounding leaves of a zero
+REFINED = 300.0  # condition from which a solution is refined
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
 CROWD = 0.1  # share of the points: more than that are no gross outliers
 MAD = 1.482602218505602
@@ -49,7 +51,7 @@ def _scaled(matrix, weight=None) -> tuple[np.ndarray, np.ndarray]:
     """Weighted columns of unit length, and their lengths (infinite for a column that shows nowhere)."""
     x = matrix if weight is None else matrix * weight[:, None]
     scale = np.linalg.norm(x, axis=0)
-    scale[scale <= 1e-12 * max(scale.max(initial=0.0), 1e-300)] = np.inf
+    scale[scale <= NOTHING * max(scale.max(initial=0.0), 1e-300)] = np.inf
     return x / scale, scale
 
 
@@ -68,6 +70,27 @@ def basis(matrix, weight=None) -> Basis:
     q = np.linalg.solve(lower, q.T).T
     u, s, vt = np.linalg.svd(lower.T @ (root[:, None] * vectors[:, keep].T), full_matrices=False)
     return Basis(np.ascontiguousarray(q @ u), s, vt.T, scale, float(s[0] / s[-1]))
+
+
+def solution(b: Basis, weighted, target) -> np.ndarray:
+    """(n,) minimum-norm least squares solution of the weighted (whitened) design (R, n) that `b` is the basis of.
+
+    An ill-conditioned design is refined twice (Bjorck 1967): coefficients and residual together, with sums in the
+    longest floating point number that the machine has.
+    """
+    z = (b.v / b.s) @ (b.ortho.T @ target)
+    if b.condition <= REFINED:
+        return z / b.scale
+    finite = np.isfinite(b.scale)
+    x = np.where(finite, weighted, 0.0).astype(np.longdouble) / np.where(finite, b.scale, 1.0)
+    wanted, z = np.asarray(target, dtype=np.longdouble), z.astype(np.longdouble)
+    residual = wanted - x @ z
+    for _ in range(2):
+        short, across = wanted - residual - x @ z, -(x.T @ residual)
+        step = (b.v / b.s) @ (b.ortho.T @ short.astype(float) - (b.v.T @ across.astype(float)) / b.s)
+        z = z + step
+        residual = residual + short - x @ step.astype(np.longdouble)
+    return (z / np.where(finite, b.scale, np.inf)).astype(float)
 
 
 def _quick(matrix, weight, y) -> tuple[np.ndarray, np.ndarray, int]:
@@ -198,7 +221,7 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
     if whitening is not None:
         weighted, target = whitening.forward(weighted), whitening.forward(target)
     b = basis(weighted)
-    theta = (b.v / b.s) @ (b.ortho.T @ target) / b.scale
+    theta = solution(b, weighted, target)
     residual = y - matrix @ theta
     rows_of_v = b.v / b.s
     scale = np.where(np.isfinite(b.scale), b.scale, 1.0)
