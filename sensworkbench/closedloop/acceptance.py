@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Evidence for one effect beside others: family-wise p, size, gain on blocks left out, half-samples, and its name.
+"""Evidence for one effect in a model: family-wise p, size, gain on blocks left out, half-samples, and its name.
 
 An effect is accepted on a family-wise p over everything scanned, a size above the floor and a gain on whole blocks left
-out; it keeps its name only if half-samples choose it again and no free form of its own columns does better.
+out; it keeps its name only if half-samples select it again and no free form of its own columns fits better.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from .search import ScoredTerm, same_place
 
 
 def judge(state: State, others, best: ScoredTerm) -> Step:
-    """Family-wise p, size and held-out gain of `best` beside `others`."""
+    """Return family-wise p, size and held-out gain of `best`, added to the model of `others`."""
     columns = state.problem.readings.columns
     full = state.fit_with([*others, best])
     gain, coefficients, visible = exact_gain(state.rows_with(full, others), best.index, best.vectors(columns))
@@ -37,10 +37,10 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
 
 
 def selection(state: State, others, best: ScoredTerm, pool) -> float:
-    """Share of half-samples of blocks that choose `best`, or one of the class that all readings together hardly tell
-    from it.
+    """Return the share of half-samples of blocks that select `best`, or a candidate that all readings together hardly
+    distinguish from it.
 
-    What is tested is that half the readings tell the same story, not that they tell rivals apart.
+    This tests whether half of the readings give the same explanation, not whether they distinguish rivals.
     """
     s = state.settings
     full = state.fit_with([*others, best])
@@ -59,7 +59,9 @@ def selection(state: State, others, best: ScoredTerm, pool) -> float:
 
 
 def is_line(state: State, others, candidate: ScoredTerm) -> bool:
-    """Does a period stand out of the other waves, with no free form of waves beyond it?  A screw does."""
+    """Return whether a period exceeds the other waves, with no free form of waves fitting better, as the lead of a
+    screw does.
+    """
     full = state.fit_with([*others, candidate])
     rows, p = state.rows(full), state.problem
     if not stands_out(state.scanned(rows), candidate, state.scanner(rows), state.settings):
@@ -69,7 +71,7 @@ def is_line(state: State, others, candidate: ScoredTerm) -> bool:
 
 
 def review(state: State) -> State:
-    """Judge every effect beside all the others, and test whether it may carry its name."""
+    """Evaluate every effect in the model of all the others, and test whether it may be named."""
     state = state.heard(state.fit_with(state.candidates))
     steps = list(state.steps)
     for i, step in enumerate(steps):

@@ -2,8 +2,8 @@
 """The bank: every column and product of columns, through every shape, as regressors over the points.
 
 A candidate effect is component x driver x shape; the bank holds the driver x shape part, so that all components are
-scored against it with one matrix product (see `scan`).  Each shape says itself with which drivers and starts of its
-unknown parameters it is tried; they are refined later.
+scored against it with one matrix product (see `scan`).  Each shape defines with which drivers and starts of its unknown
+parameters it is tried; they are refined later.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def bank(readings) -> list[Regressor]:
 
 
 def beside(columns, names) -> list[Regressor]:
-    """The entries of shapes that are too many, or too wide, to stand in the bank."""
+    """Return the regressors of shapes that are too many, or have too many columns, for the bank."""
     return list(dict.fromkeys(_regressors(columns, names, False)))
 
 

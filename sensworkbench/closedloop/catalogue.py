@@ -41,6 +41,7 @@ class Physical:
 
     @property
     def name(self) -> Message:
+        """What the effect is called."""
         return Message(f"effect-{self.key}")
 
     @property

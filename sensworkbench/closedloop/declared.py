@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The declared fit alone: what the readings say of the errors that the machine declares, before anything is searched.
+"""The declared fit alone: errors that the machine declares, fitted to the readings, before any search.
 
-No value is given for what the readings do not determine; what they cannot tell apart is said in words.
+Parameters that the readings do not determine get no value; combinations that they cannot distinguish are reported.
 """
 
 from __future__ import annotations

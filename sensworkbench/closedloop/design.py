@@ -31,6 +31,7 @@ class Term:
 
     @property
     def label(self) -> str:
+        """Return the parameter in words, as reports name it."""
         if self.group == "declared" and self.symbol not in ("C0Y", "B0Z", "A0Z"):
             return f"{self.symbol} (order {self.order})"
         if self.group == "run":
@@ -78,6 +79,7 @@ def declared_orders(machine: Machine, symbol: str) -> range:
 
 
 def declared_terms(machine: Machine) -> list[Term]:
+    """Return the terms of the errors that the machine declares, with their orders."""
     return [Term("declared", s, k) for s in machine.declared_symbols for k in declared_orders(machine, s)]
 
 
@@ -103,10 +105,12 @@ def _functions(machine: Machine, name: str, q, degree: int) -> np.ndarray:
 
 
 def run_labels(readings: Readings) -> list[str]:
+    """Return the labels of the runs, sorted; none if the readings name no runs."""
     return [] if readings.run is None else sorted({str(r) for r in readings.run})
 
 
 def tool_labels(readings: Readings) -> list[tuple[float, float, float]]:
+    """Return the tool offsets that occur, mm, sorted; none if the readings state no tool."""
     if readings.tool_offset is None or len(readings.tool_offset) == 0:
         return []
     return sorted({tuple(float(v) for v in t) for t in np.round(readings.tool_offset, 4)})

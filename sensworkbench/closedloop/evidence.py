@@ -46,7 +46,7 @@ class BlockGrams:
     """Gram matrices of weighted columns and readings per block.
 
     x (R, n) weighted columns, y (R,) weighted readings, block (R,) numbers.  Any subset of columns can then be fitted
-    without some blocks and judged on them.
+    without some blocks and evaluated on them.
     """
 
     def __init__(self, x, y, block):

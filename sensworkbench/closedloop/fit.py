@@ -44,6 +44,7 @@ class Basis:
 
     @property
     def rank(self) -> int:
+        """Number of parameters, or combinations of them, that the readings determine."""
         return self.ortho.shape[1]
 
 
@@ -134,6 +135,7 @@ class Fit:
 
     @property
     def chi2(self) -> float:
+        """Sum of the squared residuals, each divided by its standard uncertainty."""
         return float((self.white(self.residual) ** 2).sum())
 
 

@@ -60,7 +60,7 @@ def free_form(columns, names, degree: int | None = None, domains=None) -> FreeFo
 
 
 class LegendreForm(Shape):
-    """Legendre products of the driver's columns (`free_form`): stands in for a shape during a trace; never stored"""
+    """Legendre products of the driver's columns (`free_form`): replaces a shape during a trace; never stored."""
 
     name = "free form"
     free = True
@@ -79,7 +79,7 @@ class LegendreForm(Shape):
 
 
 def free_regressor(names, columns, degree: int) -> Regressor:
-    """A free form of these columns that can be fitted beside effects (never a name)."""
+    """Return a free form of these columns that can be fitted together with effects (never a name)."""
     driver = Driver(tuple(names))
     form = free_form(columns, driver.columns, degree)
     return Regressor(driver, LegendreForm(degree, form.domains, form.vectors.shape[1]))

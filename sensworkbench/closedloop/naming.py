@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Accept a name only if a free form of the same component and columns does not fit significantly better.
 
-Odd shapes attract several plausible pieces, slow columns stand in for each other and for time, and short-wave roughness
-looks periodic almost everywhere; each has its own test here.
+An odd shape can be imitated by several plausible terms, slow columns can replace each other and time, and short-wave
+roughness looks periodic almost everywhere; each case has its own test here.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def _fourier(v, harmonics: int) -> np.ndarray:
 
 
 def slow_columns(columns, names) -> list[str]:
-    """Columns that vary smoothly along the order of the readings, so that time could stand in for them."""
+    """Return the columns that vary smoothly along the order of the readings, so that time could replace them."""
     slow = []
     for name in names:
         v = np.asarray(columns[name], dtype=float)
@@ -79,11 +79,11 @@ def beyond(
 
 
 def stand_in(candidate: ScoredTerm, others, columns, names) -> Message | None:
-    """Why a finding on temperatures and time only stands in for a column that was not logged; None if it does not.
+    """Return why an effect of temperatures and time may only replace a column that was not logged; None if it does not.
 
-    Any slow curve can be pieced together from others: two pieces on one motion are no names, unless each acts in
-    proportion, as a warm-up or at an instant.  Nor is a polynomial of one temperature (expansion is in proportion), nor
-    the temperature of another axis where that of the moving one was not logged.
+    A combination of slow curves can imitate any slow curve: two terms on one motion are not named, unless each is
+    proportional, a warm-up or a step.  Nor is a polynomial of one temperature named (expansion is proportional), nor
+    the temperature of another axis if that of the moving axis was not logged.
     """
     slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {TIME}
 

@@ -135,9 +135,9 @@ def lags(fitted, readings: Readings, count: int = 2) -> dict[int, tuple[float, .
 
 
 def correlation(fitted, readings: Readings, settings) -> dict[int, float]:
-    """kind -> correlation of successive residuals that is to be modelled; 0 where it is none, or small.
+    """Return kind -> correlation of successive residuals that is to be modelled; 0 if it is not significant, or small.
 
-    Judged per direction: one that drifts is not diluted by two that do not.
+    Each direction of sensing is tested alone: one that drifts is not diluted by two that do not.
     """
     out = {}
     for k, (first, *_) in lags(fitted, readings, 1).items():

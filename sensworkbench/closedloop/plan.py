@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Design check before measuring: what a table of places and conditions could show, with no reading taken yet.
 
-Every candidate effect is projected off the declared model on these places, as a trace does with readings.  What is left
-of it is its visible share, from which follow the smallest amplitude that the plan would detect and the candidates that
-it could not tell apart.
+Every candidate effect is projected off the declared model on these places, as a trace does with readings.  The rest is
+its visible share, from which follow the smallest amplitude that the plan would detect and the candidates that it could
+not distinguish.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ PLAIN = 1.0  # of handicap: the candidates that an effect's name means, before a
 class PlannedTerm:
     """One component x driver x shape in a plan.
 
-    symbol : the plainest of the components that move alike here (`alike` names the others).  visible : share of its
+    symbol : the simplest of the components that move alike here (`alike` names the others).  visible : share of its
     square that the declared model cannot imitate (the median over unknown parameters; `least`: the smallest).
     amplitude_um : the smallest rms over the readings that is detected, um; None if hidden.  coefficient, unit : the
     same as a coefficient.  entry : the named physical effect that it matches, or None.
@@ -62,14 +62,17 @@ class PlannedTerm:
 
     @property
     def hidden(self) -> bool:
+        """Whether the plan cannot show it: the declared model imitates it."""
         return self.amplitude_um is None
 
     @property
     def driver(self) -> Driver:
+        """Its driver."""
         return self.regressor.driver
 
     @property
     def shape(self) -> Shape:
+        """Its shape."""
         return self.regressor.shape
 
 
@@ -122,14 +125,17 @@ class Plan:
     # -- the declared model --------------------------------------------------------------------------------------
     @property
     def parameters(self) -> int:
+        """Number of parameters of the declared model and the alignment."""
         return len(self.design.terms)
 
     @property
     def rank(self) -> int:
+        """Number of parameters that the plan determines."""
         return self.basis.rank
 
     @cached_property
     def null_space(self) -> list[Message]:
+        """Return in words the combinations of parameters that the plan does not determine."""
         return null_space(fit(self.design, self.readings), self.readings)
 
     def prediction_um(self, longer: float = 0.0, side: int = 4) -> tuple[float | None, float]:
@@ -303,11 +309,13 @@ class Plan:
 
     @property
     def aliased(self) -> list[Lead]:
+        """Return the usual screw leads that have an alias at these places."""
         return [lead for lead in self.leads if lead.alias is not None]
 
     # -- words ---------------------------------------------------------------------------------------------------
     @property
     def not_testable(self) -> tuple[tuple[Message, str], ...]:
+        """Return (effect, columns that it needs) of every named effect for which a column is missing."""
         return catalogue.not_testable(self.names)
 
     def numbers(self) -> dict:
@@ -333,7 +341,7 @@ class Plan:
 
 
 def plain(found: list[PlannedTerm]) -> list[PlannedTerm]:
-    """Of an effect's candidates, the plainest first, those that are meant by its name: about as plain as the first."""
+    """Return the candidates of an effect whose complexity is close to that of its simplest one, the simplest first."""
     return [c for c in found if c.handicap <= found[0].handicap + PLAIN]
 
 
@@ -378,9 +386,9 @@ def _declared(regressor: Regressor, group) -> bool:
 
 
 def pairs_in_words(pairs) -> list[dict]:
-    """Confused pairs, those of the same two drivers (or of one driver on the same two components) as one entry.
+    """Return confused pairs, those of the same two drivers (or of one driver on the same two components) as one entry.
 
-    Each: {"drivers", "shapes", "components", "cosine" (the smallest |cosine|), "count"}; the plainest first.
+    Each: {"drivers", "shapes", "components", "cosine" (the smallest |cosine|), "count"}; the simplest first.
     """
     kept: dict[tuple, dict] = {}
     for a, b, cosine in pairs:
@@ -404,7 +412,7 @@ def pairs_in_words(pairs) -> list[dict]:
 
 
 def bodies_alike(plan: Plan) -> list[list[str]]:
-    """Components that move the tool alike in every planned reading: no driver tells them apart."""
+    """Return groups of components that move the tool alike in every planned reading: no driver distinguishes them."""
     return [[ALL_SYMBOLS[i] for i in g] for g in plan.groups if len(g) > 1]
 
 

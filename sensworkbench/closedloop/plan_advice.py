@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Advice on a measuring plan, each with the number that it would improve, and a better plan of as many readings.
 
-Nothing here is a rule of thumb that is only stated: every change is made to the plan, and the changed plan is judged
-as the given one was.  Conditions that nobody can plan (temperatures) are stood in for by those of a usual session.
+Every change is made to the plan, and the changed plan is evaluated as the given one was.  Conditions that nobody can
+plan (temperatures) are replaced by those of a usual session.
 """
 
 from __future__ import annotations
@@ -185,10 +185,12 @@ def with_tools(machine: Machine, readings: Readings, rng) -> Readings:
 
 
 def with_directions(readings: Readings, rng) -> Readings:
+    """Return the plan with random directions of approach."""
     return _with(readings, **{n: rng.choice([-1.0, 1.0], readings.points) for n in DIRECTIONS})
 
 
 def with_time(readings: Readings) -> Readings:
+    """Return the plan with a time for every reading, at equal intervals."""
     return _with(readings, t=SECONDS * np.arange(readings.points))
 
 
@@ -222,6 +224,7 @@ def placed(readings: Readings, q) -> Readings:
 
 
 def with_irregular_pitch(machine: Machine, readings: Readings, rng) -> Readings:
+    """Return the plan with its places moved off their regular pitch."""
     q = readings.q.copy()
     low, high = machine.travel.T
     for i in range(3):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Which of the equals gets the name: a declared table of preferences, in units of chi-square.
+"""Preferences among equal explanations: a declared table, in units of chi-square.
 
-Where several explanations account for the readings alike, that with the smallest sum of costs is named and the others
-are its rivals; a cost of 2 is worth odds of e.  The data overrule it: a gain of chi-square counts against it one to
+If several explanations fit the readings equally well, that with the smallest sum of costs is named and the others are
+its rivals; a cost of 2 corresponds to odds of e.  The data overrule it: a gain of chi-square counts against it one to
 one.  The order is that of the machine builder: the body's own axis first, a logged column before time, the simpler
 shape, fewer factors.
 """
@@ -31,6 +31,7 @@ class Rule:
 
     @property
     def why(self) -> Message:
+        """Why the rule prefers one explanation to another, in words."""
         return Message(self.code)
 
 

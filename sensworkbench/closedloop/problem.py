@@ -40,6 +40,7 @@ class Problem:
 
     @cached_property
     def design(self) -> Design:
+        """The design of the declared model and the alignment for these readings."""
         return design(self.machine, self.readings)
 
     @cached_property
@@ -49,6 +50,7 @@ class Problem:
 
     @cached_property
     def bank(self) -> list[Regressor]:
+        """The regressors that are scanned."""
         return bank(self.readings)
 
     @cached_property
@@ -76,6 +78,7 @@ class Problem:
 
     @cached_property
     def scan_readings(self) -> Readings:
+        """The readings that the scan uses: all, or a subset of a large table."""
         return self.readings if self.thin is None else self.readings.select(self.thin)
 
     @cached_property
@@ -144,25 +147,30 @@ class State:
 
     @property
     def settings(self) -> TraceSettings:
+        """The thresholds of the trace."""
         return self.problem.settings
 
     @property
     def candidates(self) -> list[ScoredTerm]:
+        """The candidates of the accepted steps."""
         return [s.candidate for s in self.steps]
 
     @property
     def named(self) -> list[Step]:
-        """The steps whose names stand."""
+        """Return the steps that keep their names."""
         return [s for s in self.steps if s.refused is None]
 
     def significant(self, step: Step) -> bool:
+        """Whether a step is below the family-wise limit and predicts readings left out better."""
         s = self.settings
         return step.p < s.alpha and step.gain[0] > s.held_out * step.gain[1]
 
     def passes(self, step: Step) -> bool:
+        """Whether a step is significant and larger than the floor."""
         return self.significant(step) and step.size > self.settings.floor
 
     def logged(self, line: str) -> State:
+        """Return the state with one more line in its log."""
         return replace(self, log=(*self.log, line))
 
     # -- noise -----------------------------------------------------------------------------------------------------
@@ -182,10 +190,12 @@ class State:
 
     @property
     def block(self) -> np.ndarray:
+        """(points,) number of the block of consecutive readings that each point belongs to."""
         return self.problem.blocks[self.remembers]
 
     @property
     def row_block(self) -> np.ndarray:
+        """(rows,) number of the block that each row belongs to."""
         return self.block[self.problem.readings.point]
 
     @property
@@ -217,9 +227,11 @@ class State:
         return Rows(lever, y - ortho @ (ortho.T @ y), self.problem.start, ortho, fitted.memory)
 
     def scanned(self, rows: Rows) -> Rows:
+        """Return the rows that the scan uses."""
         return rows if self.problem.thin is None else rows.thinned(self.problem.thin)
 
     def scanner(self, rows: Rows) -> Scanner:
+        """Return a scanner of all candidates on these rows."""
         p = self.problem
         return Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors)
 

@@ -53,10 +53,12 @@ class Readings:
 
     @property
     def points(self) -> int:
+        """Number of places, P."""
         return len(self.q)
 
     @property
     def rows(self) -> int:
+        """Number of displacements, R."""
         return len(self.value)
 
     def select(self, points) -> Readings:

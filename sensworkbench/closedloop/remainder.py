@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What is left beside the named effects: is it structure, where does it live, does a smooth form of it predict?
+"""The remainder after the named effects: whether it has structure, where, and whether a smooth form of it predicts.
 
-Free forms of any two columns test it, a surface locates and sizes it.  What is located is modelled, without a name,
-where it predicts blocks left out.
+Free forms of any two columns test it, a surface locates and sizes it.  A located remainder is modelled, without a name,
+if it predicts blocks left out.
 """
 
 from __future__ import annotations
@@ -33,8 +33,9 @@ class Remainder:
 
 @dataclass(frozen=True)
 class Rest:
-    """All that is left: the first test beside the names, `smooth` forms that predict, `structured`: above the floor;
-    hidden : a motion that nobody logged, or None."""
+    """The remainder: the first test with the names, `smooth` forms that predict, `structured`: above the floor;
+    hidden : a motion that nobody logged, or None.
+    """
 
     first: Remainder
     smooth: tuple[ScoredTerm, ...] = ()
@@ -43,7 +44,7 @@ class Rest:
 
 
 def remainder(state: State, model) -> Remainder:
-    """Is there structure beside `model`?"""
+    """Return what is left after `model`: tests for structure and smooth forms of it."""
     s, p = state.settings, state.problem
     fitted = state.fit_with(model)
     rows = state.scanned(state.rows(fitted))
@@ -92,7 +93,7 @@ def rest(state: State) -> Rest:
 
 
 def _smooth(state: State, model, rest: Remainder) -> ScoredTerm | None:
-    """The located surface, if it predicts left-out blocks at all; sharpened once the noise beside it is known."""
+    """Return the located surface, if it predicts left-out blocks; refined when the remaining noise is known."""
     if rest.gain[0] <= rest.gain[1]:
         return None
     found, columns = rest.structure, state.problem.scan_readings.columns

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a trace says, as values: verdict, effects with their evidence and rivals, error before and after, what is left.
+"""Result of a trace, as values: verdict, effects with their evidence and rivals, error before and after, remainder.
 
 Lengths are mm, angles rad, wherever a name does not say um.  Sentences are messages.  `formats.trace_json` writes it.
 """
@@ -23,9 +23,9 @@ STAGES = ("uncorrected", "declared", "augmented")
 
 @dataclass(frozen=True)
 class Rival:
-    """What the readings cannot tell from a finding.
+    """An explanation that the readings cannot distinguish from a named effect.
 
-    loss : of chi-square against the finding.  same : it leaves the very same trace in these readings.
+    loss : of chi-square against the effect.  same : its column is identical in these readings.
     """
 
     component: str
@@ -123,7 +123,7 @@ class Identifiability:
 
 @dataclass(frozen=True)
 class Leftover:
-    """What is left beside the named effects: words, p of the test for structure, rms over noise, where it lives."""
+    """The remainder after the named effects: words, p of the test for structure, rms over noise, where it is."""
 
     words: tuple[Message, ...]
     p: float
@@ -230,12 +230,15 @@ class TraceResult:
 
     @property
     def readings(self) -> Readings:
+        """The readings that were traced."""
         return self.evidence.readings
 
     @property
     def residuals(self) -> Mapping[str, np.ndarray]:
+        """Residuals (R,), mm, by stage of the correction."""
         return self.evidence.residuals
 
     @property
     def covariance(self) -> tuple[list[str], np.ndarray]:
+        """Names of the parameters and their covariance matrix."""
         return self.evidence.covariance

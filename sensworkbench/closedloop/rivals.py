@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Rivals: what the readings cannot tell from a finding, and the cheapest measurement that would.
+"""Rivals: explanations that the readings cannot distinguish from an effect, and the least expensive measurement that
+would.
 
-A rival has a held-out error within two standard errors of the finding's, or loses less than 9 in chi-square after
-refitting.  A more general shape of the same motion and columns always does, and is no rival but a padding.
+A rival has a held-out error within two standard errors of the effect's, or loses less than 9 in chi-square after
+refitting.  A more general shape of the same motion and columns always does, and is not listed as a rival.
 """
 
 from __future__ import annotations
@@ -43,7 +44,7 @@ def _more_general(rival: ScoredTerm, finding: ScoredTerm) -> bool:
 
 
 def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
-    """Rivals of one finding beside the other effects, most physical first."""
+    """Return the rivals of one effect in the model of the others, the physically most plausible first."""
     finding, settings, problem = step.candidate, state.settings, state.problem
     full = state.fit_with([*others, finding])
     rows = state.rows_with(full, others)
@@ -195,7 +196,9 @@ def _words(c: ScoredTerm) -> Message:
 
 
 def aliases(state: State, finding: ScoredTerm, others) -> list[float]:
-    """Periods (mm) that the readings cannot tell from a periodic finding's own: they lose less than a rival does."""
+    """Return periods (mm) that the readings cannot distinguish from that of a periodic effect: they lose less than a
+    rival does.
+    """
     period = finding.shape.period
     rows = state.rows_with(state.fit_with([*others, finding]), others)
     columns = state.problem.readings.columns

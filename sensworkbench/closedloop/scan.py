@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Score every component x driver x shape at once, each with the declared model re-estimated beside it.
+"""Score every component x driver x shape at once, each with the declared model refitted together with it.
 
 With the weighted declared model projected out (M = I - QQᵀ), a candidate column c lowers chi-square by (cᵀMr)²/(cᵀMc)
 exactly.  c is lever arm x driver, so cᵀMr for all candidates is one product of the driver bank with residuals gathered
@@ -232,6 +232,7 @@ class Scanner:
         return gain
 
     def scores(self, residual=None) -> Scores:
+        """Return the drop of chi-square of every candidate, for the residual of the rows or another one (R,)."""
         rows = self.rows
         r = rows.residual if residual is None else residual
         r = r - rows.ortho @ (rows.ortho.T @ r)

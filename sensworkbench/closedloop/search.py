@@ -41,18 +41,22 @@ class ScoredTerm:
 
     @property
     def score(self) -> float:
+        """Gain in chi-square less the handicap."""
         return self.gain - self.handicap
 
     @property
     def key(self) -> tuple[str, str, str]:
+        """Component, driver and shape as text."""
         return self.symbol, *self.regressor.key
 
     @property
     def driver(self) -> Driver:
+        """Its driver."""
         return self.regressor.driver
 
     @property
     def shape(self) -> Shape:
+        """Its shape."""
         return self.regressor.shape
 
     def vectors(self, columns) -> np.ndarray:
@@ -61,6 +65,7 @@ class ScoredTerm:
 
     @property
     def index(self) -> int:
+        """Number of its component in `ALL_SYMBOLS`."""
         return ALL_SYMBOLS.index(self.symbol)
 
 
@@ -144,7 +149,7 @@ def merged(a: ScoredTerm, b: ScoredTerm, columns) -> ScoredTerm | None:
 
 
 def tried_beside(rows: Rows, symbols, columns, names) -> list[ScoredTerm]:
-    """Candidates of the shapes that are too many to stand in the bank, on some components."""
+    """Return candidates of the shapes that are too many for the bank, on some components."""
     regressors = beside(columns, names)
     return [_candidate(rows, symbol, r, columns) for symbol in symbols for r in regressors]
 
@@ -160,10 +165,11 @@ def search(
     minimum: float = 12.0,
     inflation: float = 1.0,
 ) -> list[ScoredTerm]:
-    """Best candidates first (by gain less handicap), one per motion, driver and shape, parameters refined.
+    """Return the best candidates first (by gain less handicap), one per motion, driver and shape, parameters refined.
 
-    groups : components that show alike, per place of the scanner; the plainest of them carries the candidate.
-    inflation : of the variance, where the noise itself is correlated from reading to reading; gains are divided by it.
+    groups : components with the same effect on the readings, per place of the scanner; the simplest of them carries the
+    candidate.  inflation : of the variance, where the noise itself is correlated from reading to reading; gains are
+    divided by it.
     """
     columns = readings.columns
     scores = scanner.scores()
@@ -202,7 +208,7 @@ def search(
 
 
 def surface_candidate(s: Surface) -> ScoredTerm:
-    """A surface as a candidate (without a name); a shift is put on the body that its columns speak of."""
+    """Return a surface as a candidate (without a name); a shift is assigned to the body that its columns belong to."""
     symbol = ALL_SYMBOLS[s.component]
     c = component(symbol)
     if not c.angular:

@@ -56,9 +56,9 @@ def flipped_directions(machine: Machine, readings: Readings, declared: Fit, sett
 
 
 def settled_signs(state: State, suspected: list[int], tell: Tell) -> list[int]:
-    """The suspected direction, if turning its sign explains the readings with less than effects alone do.
+    """Return the suspected direction, if turning its sign explains the readings with less than effects alone do.
 
-    A turned sign looks like effects and a strong effect like a turned sign: both stories are told to their end.
+    A turned sign looks like effects and a strong effect like a turned sign: both explanations are evaluated completely.
     """
     p, least = state.problem, state.settings.sign_gain
     for kind in suspected:
@@ -72,9 +72,9 @@ def settled_signs(state: State, suspected: list[int], tell: Tell) -> list[int]:
 
 
 def simpler_signs(state: State) -> list[int]:
-    """The direction that, read with its sign turned, makes some of the effects needless.
+    """Return the direction that, with its sign turned, makes some of the effects unnecessary.
 
-    Too weak to be seen beside an effect at first, a turned sign is otherwise traced as effects of its own.
+    A turned sign that is hidden by a strong effect would otherwise be traced as effects of its own.
     """
     p, least, found = state.problem, state.settings.sign_gain, state.candidates
     score = likelihood(p.readings, state.fit_with(found)) - least * len(found)

@@ -28,7 +28,7 @@ Tell = Callable[[float, str], bool]
 
 # -- adding effects ----------------------------------------------------------------------------------------------------
 def add_effects(state: State, tell: Tell) -> State:
-    """Add effects one after another, each judged, all settled together."""
+    """Add effects one after another; after each addition all effects are evaluated again."""
     for number in range(len(state.steps), state.settings.most_effects):
         if not tell(0.1 + 0.15 * number, f"scanning for effect {number + 1}"):
             raise Cancelled("cancelled")
@@ -118,7 +118,9 @@ def _merged(state: State) -> State | None:
 
 
 def polish(state: State) -> State:
-    """The parameters of the named effects at their best beside each other alone, as the final model holds them."""
+    """Refit the parameters of the named effects together, without the other candidates, as the final model holds
+    them.
+    """
     for _ in range(3):
         moved = False
         for i, step in enumerate(state.steps):
@@ -175,10 +177,10 @@ def rescue(state: State, tell: Tell) -> State:
 
 
 def consistent(state: State) -> State:
-    """Refuse names that fall with those that are refused already.
+    """Refuse names that fail together with those that are refused already.
 
-    A refused effect is a piece of something else: the rest is judged again with a free form in its place, so that
-    further pieces of the same thing fall too.
+    A refused effect is part of something else: the rest is evaluated again with a free form in its place, so that
+    further parts of the same cause fail too.
     """
     p = state.problem
     for _ in range(len(state.steps) + 1):

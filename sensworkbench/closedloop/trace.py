@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Trace: from readings to a verdict - is anything left, where does it live, what is it, and what would tell.
+"""Trace: from readings to a verdict - is anything left, on which body, what is it, and which measurement would decide.
 
 The words are those of the specification: nothing_to_explain, explained, partly_explained, unexplained.  A name is given
-only where the data defend it; everything else is located, sized and left unnamed.  The order of the algorithm is the
+only if the data support it; everything else is located, sized and left unnamed.  The order of the algorithm is the
 body of `trace`; each line is a stage, a function from a state to the next one.
 """
 
@@ -37,10 +37,11 @@ def trace(
     floor: float | None = None,
     progress: Callable[[float, str], bool] | None = None,
 ) -> TraceResult:
-    """Fit the declared model, find what is left, trace it, add it, and judge before and after.
+    """Fit the declared model, trace what remains, add the effects that are found, and compare the error before and
+    after.
 
-    permutations : sign flips behind each p.  floor : in place of that of the settings.  progress : told (fraction,
-    words); a false return cancels.  Refuses when there are too few readings to fit anything.
+    permutations : number of sign flips for each p.  floor : replaces that of the settings.  progress : called with
+    (fraction, words); a false return cancels.  Refuses when there are too few readings to fit anything.
     """
     tell = progress or (lambda fraction, words: True)
     if floor is not None:
@@ -80,9 +81,9 @@ def _tell(tell, fraction: float, words: str) -> None:
 
 
 def verdict(state: State, left: Rest) -> str:
-    """The verdict on what is named and what is left.
+    """Return the verdict from the named effects and the remainder.
 
-    A trend of time stands in for a column that was not logged, and is no explanation; a warm-up or an instant is.
+    A trend of time replaces a column that was not logged, and is no explanation; a warm-up or an instant is.
     """
     stand_in = any(
         TIME in s.candidate.driver and not (s.candidate.shape.warm_up or s.candidate.shape.sudden) for s in state.named

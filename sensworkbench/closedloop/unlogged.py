@@ -99,11 +99,11 @@ def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 
 
 
 def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: int = 199, seed: int = 0):
-    """The component (times x, y, z or nothing) whose lever the spread of the residual follows, or None.
+    """Return the component (times x, y, z or nothing) whose lever the spread of the residual follows, or None.
 
     q : (P, n) positions.  kind : (R,) direction of sensing; squares are compared within each, and the null permutes
     them.  Noise may be uneven for many reasons: the spread must follow the lever in each of two directions at least,
-    and no smooth change of the spread over the places may be left beside it.
+    and no smooth change of the spread over the places may remain.
     """
     used = rows.lever.any(axis=1)
     kinds = [np.flatnonzero(used & (kind == k)) for k in np.unique(kind)]
@@ -147,7 +147,9 @@ def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: 
 
 
 def _of_the_lever(x, y, shuffled, slices, q) -> bool:
-    """Has the spread y (rows,) the shape of the lever x (rows,) in two directions at least, and nothing beside it?"""
+    """Return whether the spread y (rows,) follows the lever x (rows,) in two directions at least, with nothing
+    remaining.
+    """
     strength = np.array([float((x[s] ** 2).sum()) for s in slices])
     follows = 0
     for s, size in zip(slices, strength):
