@@ -689,6 +689,11 @@
       <translation>Kein Effekt ist benannt.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/review.py" />
+      <source>No extent, not in the ranking: {effects}</source>
+      <translation>Ohne Bereich, nicht in der Rangfolge: {effects}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>No further measurement is needed to tell the findings apart.</source>
       <translation>Es braucht keine weitere Messung, um die Befunde zu unterscheiden.</translation>
@@ -1689,11 +1694,6 @@
       <translation>dreht auch, was die Führung trägt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>angular reversal error</source>
-      <translation>Winkelfehler bei Umkehr</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>approach along {axis}</source>
       <translation>Anfahrrichtung {axis}</translation>
@@ -1724,16 +1724,6 @@
       <translation>an seiner Platzierung</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>ball screw nut, coupling, guide preload</source>
-      <translation>Kugelgewindemutter, Kupplung, Vorspannung der Führung</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>ball screw stiffness and preload along the travel</source>
-      <translation>Steifigkeit und Vorspannung des Kugelgewindetriebs entlang des Wegs</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>bed</source>
       <translation>Bett</translation>
@@ -1749,24 +1739,9 @@
       <translation>vorher und nachher</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>carriage that another axis bends</source>
-      <translation>Schlitten, den eine andere Achse verbiegt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>clamping of workpiece, artefact, probe or tool</source>
-      <translation>Spannung von Werkstück, Prüfkörper, Taster oder Werkzeug</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>Kompensationswerte: Soll minus Ist</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>cyclic error of screw or encoder</source>
-      <translation>periodischer Fehler von Spindel oder Messsystem</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1774,29 +1749,14 @@
       <translation>angesetzt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>deflection under the moved mass</source>
-      <translation>Durchbiegung unter der bewegten Masse</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>direction of sensing {axis}</source>
       <translation>Messrichtung {axis}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>displacement with spindle speed</source>
-      <translation>Verlagerung mit der Spindeldrehzahl</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>doubled</source>
       <translation>verdoppelt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>drift in time</source>
-      <translation>zeitliche Drift</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1819,11 +1779,6 @@
       <translation>Fehler eines zurückgehaltenen Punkts, µm</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>error with feed</source>
-      <translation>Fehler mit dem Vorschub</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>errors: actual minus commanded</source>
       <translation>Fehler: Ist minus Soll</translation>
@@ -1839,19 +1794,9 @@
       <translation>fester Wert</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>following error with feed and direction</source>
-      <translation>Schleppfehler mit Vorschub und Richtung</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>for example 5 or 10 arcsec</source>
       <translation>zum Beispiel 5 oder 10 arcsec</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>friction, cable chain, preload</source>
-      <translation>Reibung, Energiekette, Vorspannung</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1864,29 +1809,9 @@
       <translation>eingefroren</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>guide preload, drive offset from the guides</source>
-      <translation>Vorspannung der Führung, Versatz des Antriebs zu den Führungen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>guide stiffness, levelling, load on the table</source>
-      <translation>Steifigkeit der Führung, Ausrichtung, Last auf dem Tisch</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>halved</source>
       <translation>halbiert</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>heat sources beside the part that moves</source>
-      <translation>Wärmequellen neben dem Teil, das sich verlagert</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>hysteresis of guide or drive</source>
-      <translation>Hysterese von Führung oder Antrieb</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1944,11 +1869,6 @@
       <translation>normal (Grenzen ±3σ)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>nothing beyond noise</source>
-      <translation>nichts über das Rauschen hinaus</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/current.py" />
       <source>nothing has been traced yet</source>
       <translation>noch keine Ursache wurde gesucht</translation>
@@ -1979,11 +1899,6 @@
       <translation>Position {axis}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>position-dependent reversal (wind-up)</source>
-      <translation>ortsabhängige Umkehrspanne (Aufziehen)</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>positioning of {body}</source>
       <translation>Positionierung von {body}</translation>
@@ -1997,11 +1912,6 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>readings</source>
       <translation>Messwerte</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>reversal error (backlash)</source>
-      <translation>Umkehrspanne (Lose)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2019,11 +1929,6 @@
       <translation>Lauf</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>sag with overhang</source>
-      <translation>Absenkung mit der Auskragung</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale moved</source>
       <translation>Maßstab verschoben</translation>
@@ -2034,44 +1939,9 @@
       <translation>Maßstab von {name} um {offset} mm verschoben</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>scale temperature, screw cooling, expansion coefficient in the control</source>
-      <translation>Temperatur des Maßstabs, Kühlung der Spindel, Ausdehnungskoeffizient in der Steuerung</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>screw lead and bearing, encoder head</source>
-      <translation>Steigung und Lager der Spindel, Abtastkopf</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>servo gain, feed forward</source>
-      <translation>Kreisverstärkung, Vorsteuerung</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>short waves along the axes (roughness), not named</source>
-      <translation>kurze Wellen entlang der Achsen (Rauheit), nicht benannt</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>slice at {axis} = {position} mm</source>
       <translation>Schnitt bei {axis} = {position} mm</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle bearings, centrifugal growth</source>
-      <translation>Spindellager, Aufweitung durch Fliehkraft</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle cooling, warm-up cycle</source>
-      <translation>Spindelkühlung, Warmlaufzyklus</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle growth</source>
-      <translation>Spindelwachstum</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2109,44 +1979,14 @@
       <translation>Standardunsicherheit</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>stiffness of the guide that carries the other axis</source>
-      <translation>Steifigkeit der Führung, die die andere Achse trägt</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>straightness of {body} along {axis}</source>
       <translation>Geradheit von {body} in {axis}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure above the floor</source>
-      <translation>Struktur über der Nachweisgrenze</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure above the floor that no named effect explains</source>
-      <translation>Struktur über der Nachweisgrenze, die kein benannter Effekt erklärt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure below the floor: a short-wave remainder, not named</source>
-      <translation>Struktur unter der Nachweisgrenze: ein kurzwelliger Rest, nicht benannt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>sudden shift in time</source>
-      <translation>plötzlicher Sprung in der Zeit</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>temperature</source>
       <translation>Temperatur</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>temperature difference front to back, coolant and sun on the casting</source>
-      <translation>Temperaturunterschied vorn zu hinten, Kühlmittel und Sonne auf dem Guss</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
@@ -2207,21 +2047,6 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>there is no result yet</source>
       <translation>es gibt noch kein Ergebnis</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal bending of the structure</source>
-      <translation>thermische Biegung der Struktur</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal displacement</source>
-      <translation>thermische Verlagerung</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal expansion of a scale or screw</source>
-      <translation>Wärmedehnung von Maßstab oder Spindel</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -2289,16 +2114,6 @@
       <translation>gleichverteilt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>warm-up, fixture, foundation; log temperatures</source>
-      <translation>Warmlauf, Vorrichtung, Fundament; Temperaturen aufzeichnen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>weight compensation, ram and rail stiffness</source>
-      <translation>Gewichtsausgleich, Steifigkeit von Stößel und Schiene</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>with effects</source>
       <translation>mit Effekten</translation>
@@ -2359,11 +2174,6 @@
       <translation>{driver}, K ab 20 °C</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{error}, driven by {driver}</source>
-      <translation>{error}, getrieben von {driver}</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {rows} Messwerte an {points} Orten</translation>
@@ -2372,31 +2182,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. Bitte die Fragen oben beantworten.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} cannot be told apart</source>
-      <translation>{names} sind nicht zu unterscheiden</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} cannot be told apart with one tool: measure with a second tool length or offset</source>
-      <translation>{names} sind mit einem Werkzeug nicht zu unterscheiden: mit einer zweiten Werkzeuglänge oder einem Versatz messen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} does not show in these readings</source>
-      <translation>{names} zeigt sich in diesen Messwerten nicht</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} does not show in these readings with one tool: measure with a second tool length or offset</source>
-      <translation>{names} zeigt sich in diesen Messwerten mit einem Werkzeug nicht: mit einer zweiten Werkzeuglänge oder einem Versatz messen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} driven by {driver}: {share} of it would show beside the declared model</source>
-      <translation>{names}, getrieben von {driver}: {share} davon wären neben dem angesetzten Modell sichtbar</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />

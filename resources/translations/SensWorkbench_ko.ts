@@ -689,6 +689,11 @@
       <translation>이름 붙인 효과가 없습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/review.py" />
+      <source>No extent, not in the ranking: {effects}</source>
+      <translation>범위가 없어 순위에서 제외됨: {effects}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>No further measurement is needed to tell the findings apart.</source>
       <translation>발견을 구별하기 위한 추가 측정이 필요 없습니다.</translation>
@@ -1689,11 +1694,6 @@
       <translation>안내면이 나르는 것도 회전시킴</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>angular reversal error</source>
-      <translation>각도 반전 오차</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>approach along {axis}</source>
       <translation>{axis} 접근 방향</translation>
@@ -1724,16 +1724,6 @@
       <translation>배치 위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>ball screw nut, coupling, guide preload</source>
-      <translation>볼나사 너트, 커플링, 안내면 예압</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>ball screw stiffness and preload along the travel</source>
-      <translation>이동 범위에 따른 볼나사의 강성과 예압</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>bed</source>
       <translation>베드</translation>
@@ -1749,24 +1739,9 @@
       <translation>전과 후</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>carriage that another axis bends</source>
-      <translation>다른 축이 휘게 하는 이송대</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>clamping of workpiece, artefact, probe or tool</source>
-      <translation>공작물, 기준물, 프로브 또는 공구의 고정</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>보정값: 지령값 − 실제값</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>cyclic error of screw or encoder</source>
-      <translation>나사 또는 엔코더의 주기 오차</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1774,29 +1749,14 @@
       <translation>선언 오차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>deflection under the moved mass</source>
-      <translation>이동 질량에 의한 처짐</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>direction of sensing {axis}</source>
       <translation>측정 방향 {axis}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>displacement with spindle speed</source>
-      <translation>주축 회전수에 따른 변위</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>doubled</source>
       <translation>두 배</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>drift in time</source>
-      <translation>시간에 따른 드리프트</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1819,11 +1779,6 @@
       <translation>남겨 둔 점의 오차, µm</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>error with feed</source>
-      <translation>이송에 따른 오차</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>errors: actual minus commanded</source>
       <translation>오차: 실제값 − 지령값</translation>
@@ -1839,19 +1794,9 @@
       <translation>고정값</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>following error with feed and direction</source>
-      <translation>이송과 방향에 따른 추종 오차</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>for example 5 or 10 arcsec</source>
       <translation>예: 5 또는 10 arcsec</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>friction, cable chain, preload</source>
-      <translation>마찰, 케이블 체인, 예압</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1864,29 +1809,9 @@
       <translation>고정</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>guide preload, drive offset from the guides</source>
-      <translation>안내면 예압, 안내면에 대한 구동부의 옵셋</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>guide stiffness, levelling, load on the table</source>
-      <translation>안내면 강성, 수평, 테이블 하중</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>halved</source>
       <translation>절반</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>heat sources beside the part that moves</source>
-      <translation>움직이는 부품 옆의 열원</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>hysteresis of guide or drive</source>
-      <translation>안내면 또는 구동부의 히스테리시스</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1944,11 +1869,6 @@
       <translation>정규 (한계 ±3σ)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>nothing beyond noise</source>
-      <translation>잡음 이상의 것은 없음</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/current.py" />
       <source>nothing has been traced yet</source>
       <translation>아직 추적한 것이 없습니다</translation>
@@ -1979,11 +1899,6 @@
       <translation>{axis} 위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>position-dependent reversal (wind-up)</source>
-      <translation>위치에 따른 반전 오차(와인드업)</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>positioning of {body}</source>
       <translation>{body}의 위치 결정</translation>
@@ -1997,11 +1912,6 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>readings</source>
       <translation>측정값</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>reversal error (backlash)</source>
-      <translation>반전 오차(백래시)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2019,11 +1929,6 @@
       <translation>회차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>sag with overhang</source>
-      <translation>돌출에 따른 처짐</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>scale moved</source>
       <translation>스케일 이동</translation>
@@ -2034,44 +1939,9 @@
       <translation>{name} 스케일을 {offset} mm 이동</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>scale temperature, screw cooling, expansion coefficient in the control</source>
-      <translation>스케일 온도, 나사 냉각, 제어기의 팽창 계수</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>screw lead and bearing, encoder head</source>
-      <translation>나사 리드와 베어링, 엔코더 헤드</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>servo gain, feed forward</source>
-      <translation>서보 게인, 피드포워드</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>short waves along the axes (roughness), not named</source>
-      <translation>축을 따른 짧은 파동(거칠기), 이름 없음</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>slice at {axis} = {position} mm</source>
       <translation>{axis} = {position} mm 단면</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle bearings, centrifugal growth</source>
-      <translation>주축 베어링, 원심 팽창</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle cooling, warm-up cycle</source>
-      <translation>주축 냉각, 예열 운전</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>spindle growth</source>
-      <translation>주축 성장</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2109,44 +1979,14 @@
       <translation>표준 불확도</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>stiffness of the guide that carries the other axis</source>
-      <translation>다른 축을 받치는 안내면의 강성</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>straightness of {body} along {axis}</source>
       <translation>{body}의 {axis} 방향 진직도</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure above the floor</source>
-      <translation>검출 한계를 넘는 구조</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure above the floor that no named effect explains</source>
-      <translation>이름 붙은 효과로 설명되지 않는, 검출 한계를 넘는 구조</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>structure below the floor: a short-wave remainder, not named</source>
-      <translation>검출 한계 아래의 구조: 이름 없는 단파장 나머지</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>sudden shift in time</source>
-      <translation>어느 순간의 급격한 이동</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>temperature</source>
       <translation>온도</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>temperature difference front to back, coolant and sun on the casting</source>
-      <translation>앞뒤 온도 차, 주물에 닿는 절삭유와 햇빛</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
@@ -2207,21 +2047,6 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>there is no result yet</source>
       <translation>아직 결과가 없습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal bending of the structure</source>
-      <translation>구조물의 열굽힘</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal displacement</source>
-      <translation>열변위</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>thermal expansion of a scale or screw</source>
-      <translation>스케일 또는 나사의 열팽창</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -2289,16 +2114,6 @@
       <translation>균등</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>warm-up, fixture, foundation; log temperatures</source>
-      <translation>예열, 고정구, 기초; 온도를 기록하십시오</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>weight compensation, ram and rail stiffness</source>
-      <translation>중량 보상, 램과 레일의 강성</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>with effects</source>
       <translation>효과 포함</translation>
@@ -2359,11 +2174,6 @@
       <translation>{driver}, 20 °C 기준 K</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{error}, driven by {driver}</source>
-      <translation>{driver}에 의한 {error}</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {points}개 위치의 측정값 {rows}개</translation>
@@ -2372,31 +2182,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. 위 질문에 답하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} cannot be told apart</source>
-      <translation>{names}: 구별할 수 없습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} cannot be told apart with one tool: measure with a second tool length or offset</source>
-      <translation>{names}: 공구 하나로는 구별할 수 없습니다. 다른 공구 길이나 옵셋으로도 측정하십시오</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} does not show in these readings</source>
-      <translation>{names}: 이 측정값에는 나타나지 않습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} does not show in these readings with one tool: measure with a second tool length or offset</source>
-      <translation>{names}: 공구 하나로 잰 이 측정값에는 나타나지 않습니다. 다른 공구 길이나 옵셋으로도 측정하십시오</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/finding_words.py" />
-      <source>{names} driven by {driver}: {share} of it would show beside the declared model</source>
-      <translation>{driver}에 의한 {names}: 선언된 모델 옆에서 그 {share}만 드러납니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />

@@ -339,9 +339,13 @@ def _json(obj, name, default):
 def core_effect(obj, known=component) -> Effect:
     """The core's Effect of an effect object.  known : look-up of a symbol among the machine's components."""
     parameters = _json(obj, "Parameters", {})
-    return effects_json.of_parameters(
+    effect = effects_json.of_parameters(
         obj.Label, obj.Component, obj.Driver, obj.Shape, parameters, obj.Enabled, obj.Label, known
     )
+    extent = tuple(obj.Extent)
+    if len(extent) not in (0, 2):
+        raise Refused("effect-extent-count", f"{obj.Label}, Extent", count=len(extent))
+    return replace(effect, extent=extent) if extent else effect
 
 
 # -- what the rest of the program asks for ---------------------------------------------------------------------------

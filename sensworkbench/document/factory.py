@@ -150,6 +150,7 @@ def make_effect(machine, effect: Effect):
     obj = _new(machine.Document, FEATURE, objects.EffectObject, "Effect", effect.name)
     obj.Component, obj.Driver, obj.Shape = effect.component, str(effect.driver), effect.shape.name
     obj.Parameters = json.dumps(effects_json.parameters(effect, c), sort_keys=True)
+    put(obj, "Extent", effect.extent or ())
     obj.Enabled = bool(effect.enabled)
     owner.addObject(obj)
     return obj

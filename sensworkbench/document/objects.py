@@ -202,6 +202,7 @@ class SensitivityObject(SensObject):
         result("FloatList", "Upper", "Upper limit of each error, mm or rad"),
         result("StringList", "Units", "Unit each is shown in"),
         result("StringList", "Distributions", "Distribution of each error"),
+        result("StringList", "WithoutExtent", "Enabled effects that are not in the ranking: they have no extent"),
         internal("String", "Inputs", "What the indices were computed from, as JSON"),
         internal(
             "FloatList",
@@ -230,11 +231,15 @@ class EffectObject(SensObject):
     """One component with a driver that the declared model lacks; takes part in Omega while it is enabled."""
 
     kind = "Effect"
+    schema = 2
     choices = {"Shape": tuple(SHAPES)}
     properties = (
         Property("String", "Component", "Effect", "ISO 230-1 name of the error component"),
         Property("String", "Driver", "Effect", "Column that drives it; a product is joined by *"),
         Property("Enumeration", "Shape", "Effect", "How it depends on the driver", "linear"),
         Property("String", "Parameters", "Effect", "Parameters with unit and standard uncertainty, as JSON", "{}"),
+        Property("FloatList", "Extent", "Effect",
+                 "Lowest and highest value of the driver, in its unit (K, mm, s ...); without it, and without one in "
+                 "Parameters, the effect is not in the ranking"),
         Property("Bool", "Enabled", "Effect", "Takes part in the error of the machine", True),
-    )
+    )  # fmt: skip

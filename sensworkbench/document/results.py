@@ -121,6 +121,7 @@ def write(obj, result: Result) -> None:
     put(obj, "Upper", [t.upper for t in result.laws])
     put(obj, "Units", result.units)
     put(obj, "Distributions", [t.distribution for t in result.laws])
+    put(obj, "WithoutExtent", found.without_extent)
     put(obj, "Inputs", result.inputs)
     put(obj, "Stale", False)
 
@@ -153,6 +154,7 @@ def read(obj, core: Machine) -> Result:
         symbols=tuple(obj.Symbols),
         owners=tuple(obj.Owners),
         bodies=tuple(obj.Bodies),
+        without_extent=tuple(obj.WithoutExtent),
         mean_square=obj.MeanSquare,
         variance=obj.Variance,
         positions=where,

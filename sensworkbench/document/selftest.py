@@ -16,6 +16,7 @@ import FreeCAD as App
 
 class Installation(unittest.TestCase):
     """Test an installed add-on: an example machine is made, computed, saved and read back."""
+
     def setUp(self):
         self.doc = App.newDocument("SensSelfTest")
 

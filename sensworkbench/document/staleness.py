@@ -46,7 +46,8 @@ def trace_inputs(core: Machine, without=(), arms=None) -> str:
 
 def _effect(effect: Effect, core: Machine) -> list:
     words = effects_json.parameters(effect, core.component(effect.component))
-    return [effect.name, effect.component, str(effect.driver), effect.shape.name, words]
+    more = [] if effect.extent is None else [list(effect.extent)]
+    return [effect.name, effect.component, str(effect.driver), effect.shape.name, words, *more]
 
 
 def _geometry(core: Machine, arms, order=list) -> list[float]:

@@ -284,6 +284,9 @@ class Review(QtGui.QDockWidget):
         lines = [f"<b>{name}</b> · {result.Label} · {machine.Structure} · {_escape(mean_square_text(result))}"]
         accuracy = f" (±{result.EstimatedError:.0e})" if result.EstimatedError >= 0 else ""
         lines.append(f"{_escape(positions_text(result))}{accuracy} · {_escape(objective_text(result))}")
+        if result.WithoutExtent:
+            words = translate("Sens", "No extent, not in the ranking: {effects}")
+            lines.append(_escape(words.format(effects=", ".join(result.WithoutExtent))))
         if result.Stale:
             words = translate("Sens", "Out of date: the machine has changed since.")
             lines.append(f"<span style='color:#c0392b'>{words}</span>")

@@ -11,8 +11,10 @@ import pytest
 
 from sensworkbench.core import workspace
 from sensworkbench.core.distributions import Tolerance
+from sensworkbench.core.effects import Effect
 from sensworkbench.core.joints import linear
 from sensworkbench.core.machine import Machine
+from sensworkbench.core.shapes import SHAPES
 from sensworkbench.document import base, extract, factory, jog, kinematics, refresh, repair, results, tables
 from sensworkbench.messages import Refused
 
@@ -171,6 +173,27 @@ def test_a_rotary_axis_is_refused_by_name_until_documents_hold_them(lathe):
     with pytest.raises(Refused) as refusal:
         extract.core_machine(lathe)
     assert refusal.value.code == "axis-kind-not-in-documents" and refusal.value.fields["axis"] == "Axis X"
+
+
+# -- effects without a range ------------------------------------------------------------------------------------------
+def test_an_enabled_effect_without_extent_is_listed_and_ranked_once_it_has_one(doc, tmp_path):
+    machine = golden_machine(doc)
+    effect = Effect("column tilts", "EAZ", "temp_column", SHAPES["linear"](), (2.5e-6,))
+    made = factory.make_effect(machine, effect)
+    doc.recompute()
+    found = results.compute(machine)
+    assert list(found.WithoutExtent) == ["column tilts"] and "column tilts" not in found.Symbols
+    assert results.load(machine, found).without_extent == ("column tilts",)
+    made.Extent = [-2.0, 4.0]
+    doc.recompute()
+    assert found.Stale
+    found = results.compute(machine)
+    row = list(found.Symbols).index("column tilts")
+    assert not found.WithoutExtent and (found.Lower[row], found.Upper[row]) == pytest.approx((-5e-6, 10e-6))
+    again = extract.core_machine(machine).effects[0]
+    assert again.extent == (-2.0, 4.0) and again.coefficients == pytest.approx((2.5e-6,))
+    made.Extent = [1.0]
+    assert refused(machine).code == "effect-extent-count"
 
 
 # -- what is no number ------------------------------------------------------------------------------------------------
