@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .driver import Driver
-from .parameters import DRIVER
 from .refusal import Refused
 from .shapes import Shape
 from .units import exactly_shown
@@ -138,7 +137,7 @@ def shown(effect: Effect, component) -> dict[str, Shown]:
         value = effect.shape.values[name]
         if parameter.default is not None and value == parameter.default:
             continue
-        unit = effect.driver_unit if parameter.unit == DRIVER else parameter.unit
+        unit = parameter.unit_of(effect.driver, effect.driver_unit)
         numbers = tuple(float(v) for v in parameter.numbers(value))
         out[name] = Shown(
             numbers, unit, (effect.shape_u[name],) if name in effect.shape_u else None, parameter.size != 1

@@ -16,6 +16,7 @@ from .refusal import Refused
 
 LARGEST = 1e12  # of any parameter, in its internal unit
 DRIVER, TIME_UNIT, NUMBER = "driver", "s", ""
+COLUMNS = "columns"  # the unit of the driver of one column; of several, each counts in its internal unit
 
 
 # -- searches --------------------------------------------------------------------------------------------------------
@@ -164,6 +165,12 @@ class Parameter:
             raise Refused("parameter-not-whole", name=self.name, value=value)
         return int(value) if self.whole else value
 
+    def unit_of(self, driver, driver_unit: str | None) -> str | None:
+        """The internal unit of its values, given the driver and its unit (None: not known yet)."""
+        if self.unit == DRIVER or (self.unit == COLUMNS and driver.factors == 1):
+            return driver_unit
+        return "" if self.unit == COLUMNS else self.unit
+
     def check(self, value):
         """`value` as the shape keeps it; refuses what is out of bounds."""
         return self._one(value)
@@ -224,6 +231,9 @@ class Intervals(Interval):
     """Some intervals, one for each column of the driver; a file holds them one after another."""
 
     size = None
+
+    def __init__(self, **bounds):
+        super().__init__(COLUMNS, **bounds)
 
     def check(self, value):
         return tuple(Interval.check(self, pair) for pair in value)

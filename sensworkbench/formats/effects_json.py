@@ -17,7 +17,7 @@ from sensworkbench.core.driver import DIRECTIONS, Driver, column_unit
 from sensworkbench.core.effects import Effect, coefficient_unit, shown
 from sensworkbench.core.errors import Component, component
 from sensworkbench.core.machine import Machine
-from sensworkbench.core.parameters import DRIVER, Parameter
+from sensworkbench.core.parameters import Parameter
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.shapes import Shape, shape_class
 from sensworkbench.core.unit_text import KELVIN, ZERO, conversion, internal
@@ -180,7 +180,7 @@ def _shape(place: Place, cls, parts, driver: Driver, units) -> tuple[Shape, str 
         if name not in parts:
             continue
         numbers = parts[name]
-        wanted = driver_unit if parameter.unit == DRIVER else parameter.unit
+        wanted = parameter.unit_of(driver, driver_unit)
         if wanted is None:  # nothing tells the unit of an unknown column but what is written here
             wanted = driver_unit = _internal_of(numbers)
         scale, offset = _parameter_scale(numbers, parameter, wanted, driver)

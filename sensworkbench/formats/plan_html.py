@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from sensworkbench import __version__
 from sensworkbench.closedloop import plan as planning
 from sensworkbench.closedloop.settings import DEFAULT
+from sensworkbench.core.shapes import SHAPES
 
 from . import charts, html
 from .html import Html
@@ -129,7 +130,7 @@ def _effects(data) -> Html:
             (
                 e["name"],
                 f"{p['component']} by {driver_words(p['driver'])}"
-                + ("" if p["shape"] in ("linear", "reversal") else f" ({p['shape']})"),
+                + ("" if SHAPES[p["shape"]].proportional else f" ({p['shape']})"),
                 f"{p['visible_share']:.0%}",
                 html.meter(p["visible_share"], p["visible_share"]),
                 least,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""sensitivity.csv: one line per error, the largest total index first."""
+"""sensitivity.csv: one line per error, the largest total index first; then effects without a rank."""
 
 from __future__ import annotations
 
@@ -24,4 +24,7 @@ def dumps(data: Mapping) -> str:
     for rank, row in enumerate(data["errors"], start=1):
         cells = [rank] + [row[k] for k in COLUMNS[1:]]
         writer.writerow([neutral(c) if isinstance(c, str) else c for c in cells])
+    for row in data.get("without_extent", ()):
+        cells = {"symbol": row["effect"], "description": row["text"], "owner": row["owner"]}
+        writer.writerow([neutral(cells.get(k, "")) for k in COLUMNS])
     return stream.getvalue()

@@ -11,6 +11,7 @@ import math
 
 from sensworkbench import __version__
 from sensworkbench.core.machine import Machine
+from sensworkbench.messages import Message
 from sensworkbench.studies.sensitivity import SensitivityResult, kind_message
 
 from . import charts, html, sensitivity_json
@@ -184,6 +185,10 @@ class _Report:
             for i, r in enumerate(rows, start=1)
         ]
         note = [html.paragraph(words("report-ranking-still", count=still), soft=True)] if still else []
+        note += [
+            html.note(words("report-ranking-without-extent", effect=row["effect"], why=Message(row["code"])))
+            for row in self.data["without_extent"]
+        ]
         return html.section(words("report-ranking"), *_figure(chart), html.table(heads, cells), *note)
 
     def lever_arms(self) -> Html:

@@ -12,6 +12,7 @@ from sensworkbench.core.machine import Machine
 from sensworkbench.core.synthesis import POSITION
 from sensworkbench.core.units import factor
 from sensworkbench.core.workspace import Sensitivity, error_table
+from sensworkbench.messages import Message
 from sensworkbench.studies.sensitivity import Convention, SensitivityResult, ranking
 
 FORMAT, VERSION = "sens-sensitivity", 1
@@ -121,6 +122,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
         "format": FORMAT,
         "version": VERSION,
         "errors": errors,
+        "without_extent": without_extent(study),
         "components": components,
         **moments_shown(result),
         "aggregate": kind,
@@ -143,6 +145,13 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
         "squareness_conventions": {name: _convention(name, c) for name, c in study.conventions.items()},
         "paper_eq18": _as_printed(study),
     }
+
+
+def without_extent(study: SensitivityResult) -> list[dict]:
+    """The enabled effects that take no part, because no range of them is known: name, owner, and why."""
+    owners = {e.name: study.machine.component(e.component).body for e in study.machine.effects}
+    why = Message("effect-unranked").to_dict()
+    return [{"effect": name, "owner": owners[name], **why} for name in study.sensitivity.without_extent]
 
 
 def _joint(joint: Joint) -> dict:
