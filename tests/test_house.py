@@ -47,8 +47,8 @@ FORBIDDEN = {
     "gui": set(),
 }
 MAX_FUNCTION = 80  # lines; a module may be as long as its subject, a function is read at one look
-# layers whose public functions all say what they return or do
-DOCUMENTED = ("messages", "studies", "cli", "gui")
+# layers whose public functions say what they return or do
+DOCUMENTED = (*LAYERS, "cli")
 # called by FreeCAD, Qt or Python under these names; every name like `paintEvent` is one of Qt's
 CALLED_BY_NAME = {
     "execute",

@@ -181,7 +181,7 @@ class Plan:
 
     @cached_property
     def candidates(self) -> list[PlannedTerm]:
-        """Every component x driver x shape over the columns present, the plainest first."""
+        """Return every component x driver x shape over the columns present, the simplest first."""
         return self._scored(self.bank)
 
     @cached_property
@@ -249,7 +249,9 @@ class Plan:
         )
 
     def physical(self) -> Iterator[tuple[Physical, list[PlannedTerm]]]:
-        """Every named physical effect with its candidates in this plan, the plainest first; [] if none is testable."""
+        """Return every named physical effect with its candidates in this plan, the simplest first; [] if none is
+        testable.
+        """
         by_name: dict[str, list[PlannedTerm]] = {}
         for c in self.named:
             by_name.setdefault(c.entry.key, []).append(c)
@@ -257,15 +259,18 @@ class Plan:
             yield entry, by_name.get(entry.key, [])
 
     def smallest_um(self, *keys: str) -> float | None:
-        """The smallest detectable rms (um) of the plain, visible candidates of these catalogue entries, or None."""
+        """Return the smallest detectable rms (um) of the simple, visible candidates of these catalogue entries, or
+        None.
+        """
         best = plain([c for c in self.named if c.entry.key in keys])
         return min((c.amplitude_um for c in best if not c.hidden), default=None)
 
     # -- what looks alike ----------------------------------------------------------------------------------------
     def confused(self, limit: int = 900) -> list[tuple[PlannedTerm, PlannedTerm, float]]:
-        """Pairs of named, visible candidates of at most two factors whose projected columns have |cosine| > 0.95.
+        """Return pairs of named, visible candidates of at most two factors whose projected columns have |cosine| >
+        0.95.
 
-        Different shapes of the same motion and columns are no pair.  The plainest `limit` candidates are compared.
+        Different shapes of the same motion and columns are no pair.  The simplest `limit` candidates are compared.
         """
         shown = [c for c in self.named if not c.hidden and c.driver.factors <= 2 and c.shape.compared][:limit]
         if not shown:

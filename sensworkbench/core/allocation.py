@@ -105,6 +105,7 @@ class Allocation:
 
     @property
     def cost(self) -> float:
+        """Sum of the costs of all tolerances."""
         return float(self.costs.sum())
 
     @property

@@ -82,6 +82,7 @@ _QUANTITIES = {"App::PropertyDistance", "App::PropertyLength", "App::PropertyAng
 
 
 def numbers(vector) -> tuple[float, float, float]:
+    """Return the components of a vector as a tuple."""
     return (vector.x, vector.y, vector.z)
 
 
@@ -163,6 +164,7 @@ def register_dresser(function: Callable) -> None:
 
 
 def dress(obj) -> None:
+    """Give an object its view provider, if there is a window."""
     if App.GuiUp and getattr(obj, "ViewObject", None) is not None:
         for function in _dresser:
             function(obj)
@@ -185,6 +187,7 @@ def made_by_newer(obj) -> bool:
 
 
 def members(group, kind: str) -> list:
+    """Return the objects of a kind in a group."""
     return [o for o in group.Group if kind_of(o) == kind]
 
 

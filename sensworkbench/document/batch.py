@@ -44,6 +44,7 @@ class Opened:
     contents: Contents
 
     def close(self) -> None:
+        """Close the document."""
         if self.document.Name in App.listDocuments():
             App.closeDocument(self.document.Name)
 

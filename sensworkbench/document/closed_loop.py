@@ -236,6 +236,7 @@ def augmented(obj):
 
 # -- effects -----------------------------------------------------------------------------------------------------------
 def can_add(obj) -> bool:
+    """Whether a trace found effects that are not added yet, and is still valid."""
     return bool(obj.Effects) and not obj.Stale and not added_effects(obj)
 
 

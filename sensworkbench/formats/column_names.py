@@ -84,6 +84,7 @@ class Name:
     known: bool
 
     def convert(self, values: np.ndarray) -> np.ndarray:
+        """Return values of the column in internal units."""
         if self.kind == "unknown":
             return values
         factor = KINDS[self.kind][0][self.suffix]

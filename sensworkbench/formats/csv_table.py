@@ -73,9 +73,11 @@ class Table:
 
     @property
     def rows(self) -> int:
+        """Number of rows."""
         return len(self.line)
 
     def place(self, row: int, column: int) -> str:
+        """Return where a cell is, in words: file, line, column."""
         return f"{self.source}, line {int(self.line[row])}, column {column + 1} ({short(self.names[column])[1:-1]})"
 
     def comma(self, column: int) -> bool:
@@ -132,6 +134,7 @@ class Table:
 
 
 def is_number(text: str) -> bool:
+    """Whether a text can be read as a number."""
     try:
         float(text)
     except ValueError:
@@ -210,6 +213,7 @@ def _rows(lines: list[str], where: Sequence[int], separator: str, source: str) -
 
 
 def read(path) -> Table:
+    """Return the table in a file; refuses a file that is too large or is no table."""
     return parse(read_text(path, limit=LIMIT), str(path))
 
 

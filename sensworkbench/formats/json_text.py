@@ -162,6 +162,7 @@ class Place:
 
     @property
     def where(self) -> str:
+        """Return where the value is, in words: file, line, path."""
         line = self._lines.get(self.path)
         parts = [self.name] + ([f"line {line}"] if line else []) + ([path_text(self.path)] if self.path else [])
         return ", ".join(parts)
@@ -196,6 +197,7 @@ class Place:
         return [(k, self[k]) for k in self.value]
 
     def elements(self, count: int | None = None) -> list[Place]:
+        """Return the places of the elements of a list; refuses another value or another length."""
         if not isinstance(self.value, list):
             raise self.refuse(f"{short(self.value)} stands where a list […] is expected")
         if count is not None and len(self.value) != count:
@@ -203,19 +205,23 @@ class Place:
         return [self[i] for i in range(len(self.value))]
 
     def number(self) -> float:
+        """Return a number; refuses another value."""
         if isinstance(self.value, bool) or not isinstance(self.value, (int, float)):
             raise self.refuse(f"{short(self.value)} is not a number")
         return float(self.value)
 
     def numbers(self, count: int | None = None) -> list[float]:
+        """Return a list of numbers; refuses other values or another length."""
         return [e.number() for e in self.elements(count)]
 
     def integer(self, low: int, high: int) -> int:
+        """Return a whole number from `low` to `high`; refuses another value."""
         if isinstance(self.value, bool) or not isinstance(self.value, int) or not low <= self.value <= high:
             raise self.refuse(f"{short(self.value)} is not a whole number from {low} to {high}")
         return self.value
 
     def string(self, choices=None) -> str:
+        """Return a text, one of `choices` if they are given; refuses another value."""
         if not isinstance(self.value, str):
             raise self.refuse(f"{short(self.value)} is not a text in quotes")
         if choices is not None and self.value not in choices:
@@ -223,6 +229,7 @@ class Place:
         return self.value
 
     def boolean(self) -> bool:
+        """Return true or false; refuses another value."""
         if not isinstance(self.value, bool):
             raise self.refuse(f"{short(self.value)} is neither true nor false")
         return self.value

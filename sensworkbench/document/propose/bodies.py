@@ -24,6 +24,7 @@ class Graph:
         self.edges: dict[int, dict[int, float]] = {}
 
     def add(self, a: int, b: int, weight: float) -> None:
+        """Strengthen the edge between two units by `weight`."""
         if a == b or weight <= 0:
             return
         for p, q in ((a, b), (b, a)):
@@ -31,10 +32,12 @@ class Graph:
             row[q] = row.get(q, 0.0) + weight
 
     def remove(self, a: int, b: int) -> None:
+        """Remove the edge between two units."""
         self.edges.get(a, {}).pop(b, None)
         self.edges.get(b, {}).pop(a, None)
 
     def reach(self, start) -> set[int]:
+        """Return the units that are connected with those of `start`, these included."""
         seen, waiting = set(start), list(start)
         while waiting:
             for other in self.edges.get(waiting.pop(), ()):

@@ -61,6 +61,7 @@ class Reading:
     bed_sure: float = 0.5
 
     def body_of(self, unit: int) -> int | None:
+        """Return the number of the body that a unit belongs to, or None."""
         return next((b for b, body in enumerate(self.bodies) if unit in body), None)
 
 
@@ -77,6 +78,7 @@ class Words:
 
 
 def speech(document: Document, title: str = "") -> Words:
+    """Return what the names in a document say together, such as whether they are those of a lathe."""
     labels = {*document.names, *(t for u in document.units for t in (*u.labels, u.source)), title}
     texts = {label: words.plain(label) for label in labels if label}
     said = " | ".join(texts.values())
@@ -118,6 +120,7 @@ def _fitting(role: str, said: Words) -> str:
 
 
 def common_holders(document: Document, minor: set[int]) -> set:
+    """Return the containers that hold most of the units, and therefore distinguish none."""
     counts: dict[tuple, int] = {}
     units = [u for n, u in enumerate(document.units) if n not in minor]
     for unit in units:

@@ -483,6 +483,7 @@ def _rooted(state, parts, edges, places, up, answers, source, far) -> Reading | 
 
 
 def places_all(document, places):
+    """Return a place for every unit: that given, or ("", "")."""
     return {n: places.get(n, ("", "")) for n in range(len(document.units))}
 
 

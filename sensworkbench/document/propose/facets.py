@@ -44,6 +44,7 @@ class Solid:
 
     @property
     def size(self) -> np.ndarray:
+        """(3,) extent of its bounding box, mm."""
         return self.box[3:] - self.box[:3]
 
     def placed(self, placement: App.Placement) -> Solid:

@@ -40,6 +40,7 @@ class Slide:
 
     @property
     def length(self) -> float:
+        """Length over which it slides, mm."""
         return self.end - self.start
 
 
@@ -51,27 +52,33 @@ class Guide:
 
     @property
     def u(self) -> np.ndarray:
+        """Unit vector of the slide with the largest weight."""
         return max(self.slides, key=lambda s: (s.weight, s.length)).u
 
     @property
     def weight(self) -> float:
+        """Confidence that it is a guide, 0 to 0.97; more rails give more."""
         best = sorted((s.weight for s in self.slides), reverse=True)
         return min(0.97, best[0] + 0.05 * min(3, len({s.rail for s in self.slides}) - 1))
 
     @property
     def kind(self) -> str:
+        """Kind of the slide with the largest weight."""
         return max(self.slides, key=lambda s: s.weight).kind
 
     @property
     def rails(self) -> set[int]:
+        """Numbers of the units that are its rails."""
         return {s.rail[0] for s in self.slides}
 
     @property
     def riders(self) -> set[int]:
+        """Numbers of the units that slide on it."""
         return {s.rider[0] for s in self.slides}
 
     @property
     def length(self) -> float:
+        """Length of its longest slide, mm."""
         return max(s.length for s in self.slides)
 
 

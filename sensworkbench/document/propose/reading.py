@@ -50,6 +50,7 @@ class Unit:
 
     @property
     def key(self) -> tuple:
+        """Identifies the occurrence of the unit in the document."""
         return (*self.where.key, self.number)
 
     @property
@@ -59,11 +60,13 @@ class Unit:
 
     @property
     def box(self) -> np.ndarray:
+        """(6,) bounding box: lowest and highest x, y, z, mm."""
         boxes = np.array([s.box for s in self.solids])
         return np.hstack([boxes[:, :3].min(0), boxes[:, 3:].max(0)])
 
     @property
     def size(self) -> float:
+        """Length of the diagonal of its bounding box, mm."""
         box = self.box
         return float(np.linalg.norm(box[3:] - box[:3]))
 
@@ -73,6 +76,7 @@ class Unit:
         return float(sum(np.prod(np.maximum(s.size, 0.1)) for s in self.solids))
 
     def extent(self, u) -> tuple[float, float]:
+        """Return the lowest and highest coordinate along the unit vector u, mm."""
         ends = [s.extent(u) for s in self.solids]
         return min(e[0] for e in ends), max(e[1] for e in ends)
 

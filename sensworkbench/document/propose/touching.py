@@ -37,10 +37,12 @@ class Contact:
 
     @property
     def area(self) -> float:
+        """Area in contact, mm²."""
         return float(self.areas.sum()) + sum(b[3] for b in self.bores)
 
     @property
     def touches(self) -> bool:
+        """Whether the two units touch at all."""
         return len(self.areas) > 0 or bool(self.bores)
 
 
