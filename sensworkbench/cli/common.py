@@ -11,6 +11,7 @@ import contextlib
 import importlib
 import math
 import os
+import pkgutil
 import sys
 from pathlib import Path
 
@@ -106,9 +107,16 @@ def add_mapping(parser) -> None:
     parser.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")
 
 
-def add_language(parser) -> None:
-    """Add --language, of the HTML report; files for programs and stderr stay English."""
-    parser.add_argument("--language", choices=LANGUAGES, default="en", help="of report.html (default: en)")
+def add_language(parser, of: str = "report.html") -> None:
+    """Add --language, of the file that a person reads; files for programs and stderr stay English."""
+    parser.add_argument("--language", choices=LANGUAGES, default="en", help=f"of {of} (default: en)")
+
+
+def format_names() -> str:
+    """The exchange formats for --help: names of modules, none of which is imported, because they need numpy."""
+    folder = Path(__file__).parents[1] / "formats" / "exchange" / "known"
+    names = sorted(module.name.replace("_", "-") for module in pkgutil.iter_modules([str(folder)]))
+    return f"one of {', '.join(names)}"
 
 
 def mapping(arguments):

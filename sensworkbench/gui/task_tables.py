@@ -11,7 +11,7 @@ from pathlib import Path
 
 from ..core.refusal import Refused
 from ..document import extract
-from ..formats.exchange import convert
+from ..formats.exchange import convert, known
 from . import messages
 from .command import Command, Where, command
 from .current import current_machine
@@ -41,7 +41,7 @@ class TaskTables(Panel):
         page = QtGui.QVBoxLayout(self.form)
         row = QtGui.QHBoxLayout()
         row.addWidget(QtGui.QLabel(translate("Sens", "Format")))
-        self.format = combo(list(convert.FORMATS.items()))
+        self.format = combo([(f.name, f.title) for f in known.every() if f.takes_positions])
         self.format.setObjectName("SensTableFormat")
         row.addWidget(self.format, 1)
         page.addLayout(row)
@@ -82,7 +82,7 @@ class TaskTables(Panel):
         except Refused as error:
             messages.show(error.message)
             return []
-        paths = [Path(folder) / name for name in (*written.files, "statement.txt")]
+        paths = [Path(folder) / name for name in (*written.files, convert.STATEMENT)]
         messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
         return paths
 

@@ -83,7 +83,7 @@ def test_a_machine_that_cam_made_is_read(tmp_path):
     assert set(found.workpiece_chain) == {"X", "Y"} and found.tool_chain == ("Z",)
     assert found.axes["X"].travel == (0, 510) and found.axes["Y"].travel == (0, 1000)
     assert found.axes["Z"].direction == (0, 0, 1)
-    assert {f.code for f in findings} == {"chain-order", "tool-point", "reference-points"}
+    assert {f.code for f in findings} == {"fcm-chain-order", "fcm-tool-point", "fcm-reference-points"}
 
 
 def test_nothing_that_is_written_is_ignored_by_cam(tmp_path):

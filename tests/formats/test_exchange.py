@@ -17,21 +17,34 @@ from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, SQUARENESS_SYMBOLS
 from sensworkbench.core.fitted import FittedModel
 from sensworkbench.core.joints import linear
 from sensworkbench.core.machine import Machine, structure_chains
-from sensworkbench.core.refusal import Refused
 from sensworkbench.core.shapes import Smooth
 from sensworkbench.core.synthesis import volumetric_error
 from sensworkbench.formats import fitted_json, readings_csv
 from sensworkbench.formats.effects_json import of_parameters
-from sensworkbench.formats.exchange import etalon, isg
-from sensworkbench.formats.exchange.axis_tables import axis_tables, correction
-from sensworkbench.formats.exchange.convert import convert, import_errors, statement, write
-from sensworkbench.formats.exchange.coverage import FORMATS, after_compensation, expressible
-from sensworkbench.formats.exchange.remaining import remaining
-from sensworkbench.formats.exchange.series import as_direction
-from sensworkbench.formats.exchange.tables import Convention, converted, merged, to_machine
+from sensworkbench.formats.exchange import known
+from sensworkbench.formats.exchange.convert import (
+    after_compensation,
+    convert,
+    expressible,
+    import_errors,
+    statement,
+    write,
+)
+from sensworkbench.formats.exchange.known import etalon, isg
+from sensworkbench.messages import Message, Refused
+from sensworkbench.studies import remaining as remains
+from sensworkbench.studies.axis_tables import axis_tables, correction
+from sensworkbench.studies.error_tables import Convention, converted, merged, to_machine
+from sensworkbench.studies.fitted_errors import as_direction
+
+FORMATS = [f.name for f in known.every() if f.takes_positions]  # of errors
 
 TRAVEL = {"X": (-200.0, 200.0), "Y": (-150.0, 150.0), "Z": (-400.0, -100.0)}
 TURN = {"X": (1.0, 0, 0), "Y": (0, 1.0, 0), "Z": (0, 0, 1.0)}
+
+
+def remaining(m: Machine, name: str, positions=None):
+    return remains.remaining(m, known.get(name), positions)
 
 
 def machine(structure="XYFZ", *, directions=TURN, fitted=None, effects=(), squareness="direction") -> Machine:
@@ -258,8 +271,8 @@ def test_linuxcnc_tables_stay_within_what_the_controller_reads():
     for k in "xyz":
         rows = np.loadtxt(written.files[f"{k}.comp"].splitlines())
         assert 3 <= len(rows) <= 256 and (np.diff(rows[:, 0]) > 0).all() and rows.shape[1] == 3
-    assert any("X by X: 256 points" in n and "interpolation error" in n for n in written.notes)
-    table = axis_tables(machine(effects=[fine]), written.coverage, 256)["X", "X"]
+    assert any("X by X: 256 points" in str(n) and "interpolation error" in str(n) for n in written.notes)
+    table = axis_tables(machine(effects=[fine]), written.coverage, known.get("linuxcnc"))["X", "X"]
     assert table.interpolation > 5e-4  # a pitch of 2 mm is lost in 256 points, and the table says so
 
 
@@ -305,8 +318,8 @@ def test_what_each_format_can_express():
     for f, c in covered.items():
         named = {*c.symbols, *c.effects, *(name for name, _ in c.missing)}
         assert named == set(FUNCTION_SYMBOLS) | set(SQUARENESS_SYMBOLS) | {e.name for e in EFFECTS}, f
-    assert dict(covered["isg"].missing)["heat"] == "a controller table does not know temp_column"
-    assert "rotation" in dict(covered["siemens"].missing)["EAX"]
+    assert dict(covered["isg"].missing)["heat"] == Message("table-foreign-column", columns=["temp_column"])
+    assert dict(covered["siemens"].missing)["EAX"].code == "table-no-rotation"
 
 
 def test_a_switched_off_effect_is_neither_written_nor_missed():

@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import csv_table, machine_json, readings_csv
-from sensworkbench.formats.exchange import etalon, fcm, isg
 from sensworkbench.formats.exchange.convert import write
+from sensworkbench.formats.exchange.known import etalon, fcm, isg
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "formats.md").read_text(encoding="utf-8")
 

@@ -388,7 +388,7 @@ def test_an_augmented_document_from_a_batch_run_opens_with_colours_and_effect(ma
 
 # -- tables of a controller --------------------------------------------------------------------------------------------
 def test_tables_are_written_once_errors_are_fitted(machine, machine_doc, traced, tmp_path, monkeypatch):
-    from sensworkbench.formats.exchange import convert
+    from sensworkbench.formats.exchange import known
     from sensworkbench.gui import task_tables
 
     assert not active("Sens_Tables")
@@ -398,7 +398,7 @@ def test_tables_are_written_once_errors_are_fitted(machine, machine_doc, traced,
     run("Sens_Tables")
     panel = state_of(App.ActiveDocument).panel
     assert isinstance(panel, task_tables.TaskTables)
-    for name in convert.FORMATS:
+    for name in (f.name for f in known.every() if f.takes_positions):
         choose(panel.format, name)
         said = panel.statement.toPlainText()
         assert "after compensation" in said and "temp_column" in said  # what no table of positions can hold is named

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Refused
 
 from .. import common
 
@@ -16,32 +16,33 @@ FILES = "tables, `statement.txt`"
 def add(parser) -> None:
     text = "machine.json with fitted errors, or an .FCStd document that holds one"
     common.add_machine(parser, help=text)
-    text = "isg, etalon, linuxcnc, heidenhain, siemens or fcm"
-    parser.add_argument("--to", metavar="FORMAT", required=True, help=text)
+    parser.add_argument("--to", metavar="FORMAT", required=True, help=common.format_names())
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the tables and statement.txt")
-    text = "axis tables hold the error on lines through this (middle)"
-    parser.add_argument("--through", metavar="X,Y,Z", type=common.triple, help=text)
+    text = "axis tables hold the error on lines through this, a value per joint, mm or deg (middle)"
+    parser.add_argument("--through", metavar="X,Y,Z", type=common.numbers, help=text)
     text = "places and conditions for the predicted error (default: the workspace)"
     parser.add_argument("--positions", metavar="CSV", help=text)
+    common.add_language(parser, "statement.txt")
 
 
 def run(arguments) -> int:
     from sensworkbench.formats import readings_csv
-    from sensworkbench.formats.exchange import convert
+    from sensworkbench.formats.exchange import convert, known
 
-    if arguments.to not in convert.FORMATS_OUT:
-        raise Refused(f"unknown format {arguments.to!r}", "--to", f"Use one of {', '.join(convert.FORMATS_OUT)}.")
+    form = known.get(arguments.to, "--to")
     options = {}
-    if arguments.through is not None:
-        if arguments.to not in convert.AXIS_WRITERS:
-            raise Refused(f"--through has no meaning for {arguments.to}", "--through", "Leave it out.")
-        options["through"] = arguments.through
-    if arguments.positions is not None:
-        if arguments.to == "fcm":
-            raise Refused("--positions has no meaning for fcm", "--positions", "Leave it out.")
-        options["positions"] = readings_csv.load_positions(arguments.positions)
+    for name, taken in (("through", form.takes_through), ("positions", form.takes_positions)):
+        if getattr(arguments, name) is not None and not taken:
+            raise Refused("option-without-meaning", f"--{name}", option=f"--{name}", format=form.name)
     machine = common.load_machine(arguments.machine)
-    written = convert.convert(machine, arguments.to, arguments.out, **options)
+    if arguments.through is not None:
+        values = arguments.through
+        if len(values) == len(machine.joints):
+            values = tuple(j.from_shown(v) for j, v in zip(machine.joints, values))
+        options["through"] = values
+    if arguments.positions is not None:
+        options["positions"] = readings_csv.load_positions(arguments.positions)
+    written = convert.convert(machine, form.name, arguments.out, language=arguments.language, **options)
     for note in written.notes:
-        common.say(note)
-    return common.say_paths(Path(arguments.out) / name for name in [*written.files, "statement.txt"])
+        common.say(note.text())
+    return common.say_paths(Path(arguments.out) / name for name in [*written.files, convert.STATEMENT])

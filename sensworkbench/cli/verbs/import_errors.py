@@ -12,7 +12,7 @@ FILES = "`machine.json`"
 def add(parser) -> None:
     parser.add_argument("machine", metavar="MACHINE", help="machine.json whose errors the tables state")
     parser.add_argument("tables", metavar="TABLE", nargs="+", help="one or more files")
-    parser.add_argument("--from", metavar="FORMAT", dest="source", required=True, help="isg or etalon")
+    parser.add_argument("--from", metavar="FORMAT", dest="source", required=True, help=common.format_names())
     parser.add_argument("--out", metavar="FILE", required=True, help="the machine.json with these fitted errors")
     text = "of the fitted functions (default 3)"
     parser.add_argument("--degree", metavar="N", type=common.whole, default=3, help=text)

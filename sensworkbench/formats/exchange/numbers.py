@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Refused
 
 from ..json_text import short
 

@@ -12,6 +12,7 @@ import re
 
 from sensworkbench.closedloop.readings import Finding
 from sensworkbench.core.errors import FUNCTION_SYMBOLS
+from sensworkbench.studies.error_tables import remark
 
 FUNCTION = re.compile(r"E[XYZABC][XYZABC]$")
 POSITION_ERROR = re.compile(r"[XYZABC]0[XYZABC]$")
@@ -38,14 +39,12 @@ def squareness_of(position_errors: dict[str, tuple[float, int]]) -> tuple[dict[s
     value = {k: v for k, (v, _) in position_errors.items()}
     for name, (v, line) in position_errors.items():
         if v and name[0] in "XYZ":
-            findings.append(Finding("info", "offset-ignored", f"{name}: an offset of an axis is its zero", line))
+            findings.append(remark("offset-ignored", line, name=name))
         if v and name in ("A0X", "B0Y", "C0Z"):
-            text = f"{name}: a rotation of {name[2]} about itself tilts no direction of motion"
-            findings.append(Finding("info", "rotation-ignored", text, line))
+            findings.append(remark("rotation-ignored", line, name=name, axis=name[2]))
     common = {"C0Y": "C0X", "B0Z": "B0X", "A0Z": "A0Y"}
     if any(value.get(k) for k in common.values()):
         lines = [position_errors[k][1] for k in common.values() if value.get(k)]
-        text = "the rotation of all axes together (A0Y, B0X, C0X) is alignment: taken out of the squareness errors"
-        findings.append(Finding("info", "alignment-removed", text, min(lines)))
+        findings.append(remark("alignment-removed", min(lines)))
     angles = {s: value.get(s, 0.0) - value.get(r, 0.0) for s, r in common.items() if s in value or value.get(r)}
     return angles, findings

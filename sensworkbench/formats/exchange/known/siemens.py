@@ -8,15 +8,28 @@ the same sign is taken, and `cec_sign=-1` turns it.  A table for one direction o
 
 from __future__ import annotations
 
-import math
+import numpy as np
 
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Refused
+from sensworkbench.studies.axis_tables import AxisTable
 
-from .axis_tables import AxisTable
+from ..base import AxisTables
 
-LIMIT = 1025
 AXIS_NAMES = {"X": "X1", "Y": "Y1", "Z": "Z1"}
+
+
+class Siemens(AxisTables):
+    """ENC_COMP of each axis and CEC between axes."""
+
+    name, title, sign = "siemens", "Siemens ENC_COMP and CEC", "sign-siemens"
+    limit = 1025
+
+    def files(self, tables, **options):
+        return files(tables, **options)
+
+
+FORMAT = Siemens()
 
 
 def files(
@@ -33,7 +46,7 @@ def files(
     """
     names = {**AXIS_NAMES, **(axis_names or {})}
     if cec_sign not in (1, -1) or measuring_system not in (0, 1):
-        raise Refused("cec_sign is 1 or -1 and measuring_system 0 or 1", "Siemens")
+        raise Refused("siemens-options", "Siemens")
     out, cec, number = {}, [], 0
     for source in AXES:
         for output in AXES:
@@ -57,13 +70,9 @@ def _at(table: AxisTable, position) -> float:
     if position is None:
         return 0.0
     low, high = table.position[0], table.position[-1]
-    if not (math.isfinite(position) and low <= position <= high):
-        raise Refused(
-            f"the reference point {position:g} lies outside {low:g} ... {high:g} mm", f"Siemens, axis {table.source}"
-        )
-    i = min(int((position - low) / (table.position[1] - low)), len(table.position) - 2)
-    share = (position - table.position[i]) / (table.position[i + 1] - table.position[i])
-    return float(table.plus[i] * (1 - share) + table.plus[i + 1] * share)
+    if not low <= position <= high:  # also where it is not a number
+        raise Refused("siemens-reference", f"Siemens, axis {table.source}", position=position, low=low, high=high)
+    return float(np.interp(position, table.position, table.plus))
 
 
 def _directions(table: AxisTable):

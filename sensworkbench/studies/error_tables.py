@@ -7,22 +7,21 @@ into fitted functions and effects, and says how well they follow the table.
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from sensworkbench.closedloop.readings import Finding
-from sensworkbench.core.driver import Driver
-from sensworkbench.core.effects import Effect
-from sensworkbench.core.errors import AXES, SQUARENESS, SQUARENESS_SYMBOLS, component
-from sensworkbench.core.machine import Machine
-from sensworkbench.core.refusal import Refused
-from sensworkbench.core.shapes import Linear, to_domain
-
+from ..closedloop.readings import Finding
+from ..core.driver import Driver
+from ..core.effects import Effect
+from ..core.errors import AXES, SQUARENESS, component
+from ..core.fitted import Series
+from ..core.machine import Machine
+from ..core.shapes import Linear, to_domain
+from ..messages import Message, Refused
 from .coverage import Coverage, drive
-from .series import CARRIED_AS, Series, as_direction, series, squareness, with_fitted
+from .fitted_errors import as_direction, carried_as, line_error, series, squareness_symbols, with_fitted
 
 GOAL = {False: 2e-5, True: 2e-8}  # interpolation error of a table: mm, rad
 MAX_DEGREE = 30
@@ -61,7 +60,7 @@ def merged(parts) -> ErrorTables:
         names = [t.symbol for t in part.tables] + list(part.constants)
         twice = {t.symbol for t in tables}.union(constants).intersection(names)
         if twice:
-            raise Refused(f"{', '.join(sorted(twice))} is stated by two files", "error tables", "Keep one.")
+            raise Refused("tables-stated-twice", "error tables", symbols=sorted(twice))
         tables += part.tables
         constants |= part.constants
         findings += part.findings
@@ -72,20 +71,21 @@ def merged(parts) -> ErrorTables:
 def sampled(machine: Machine, coverage: Coverage) -> ErrorTables:
     """Tables of everything that `coverage` lists, fine enough for multilinear interpolation."""
     machine = as_direction(machine)
-    constants = {s: squareness(machine, s) for s in coverage.symbols if s in SQUARENESS_SYMBOLS}
+    constants = {s: line_error(machine, s) for s in coverage.symbols if machine.component(s).line}
     effects: dict[str, list[tuple[Effect, tuple[str, ...]]]] = {}
     for effect in machine.effects:
         if effect.enabled and effect.name in coverage.effects:
-            effects.setdefault(effect.component, []).append((effect, drive(effect).axes))
+            effects.setdefault(effect.component, []).append((effect, drive(machine, effect).axes))
     symbols = [s for s in coverage.symbols if s not in constants] + [s for s in effects if s not in coverage.symbols]
     symbols += [s for s in effects if s in constants]
     tables = []
     for symbol in symbols:
-        own = component(symbol).body
-        used = {own} if symbol not in SQUARENESS_SYMBOLS else set()
+        c = machine.component(symbol)
+        own = c.body
+        used = set() if c.line else {own}
         for _, axes in effects.get(symbol, ()):
             used |= set(axes)
-        others = [k for k in AXES if k in used and k != own]
+        others = [k for k in machine.names if k in used and k != own]
         arguments = (*others, own) if own in used else tuple(others)
         constant = constants.pop(symbol, 0.0) if symbol in effects else 0.0
         tables.append(_sampled(machine, symbol, arguments, effects.get(symbol, ()), constant))
@@ -93,17 +93,19 @@ def sampled(machine: Machine, coverage: Coverage) -> ErrorTables:
 
 
 def _sampled(machine, symbol, arguments, effects, constant) -> ErrorTable:
-    c = component(symbol)
-    own = series(machine, symbol) if c.kind != SQUARENESS else Series((-1.0, 1.0), (constant,))
+    c = machine.component(symbol)
+    own = series(machine, symbol) if not c.line else Series((-1.0, 1.0), (constant,))
 
     def value(points):
-        columns = {k.lower(): points[:, i] for i, k in enumerate(arguments)}
-        out = own(columns[c.body.lower()]) if c.body in arguments else np.full(len(points), own.coefficients[0])
+        columns = {machine.joint(k).column: points[:, i] for i, k in enumerate(arguments)}
+        out = np.full(len(points), own.coefficients[0])
+        if c.body in arguments:
+            out = own(columns[machine.joint(c.body).column])
         for effect, _ in effects:
             out = out + effect.values(columns)
         return out
 
-    travel = [machine.axes[k].travel for k in arguments]
+    travel = [machine.joint(k).span for k in arguments]
     counts = [3] * len(arguments)
     limit = MAX_POINTS[len(arguments)]
     while True:
@@ -118,7 +120,7 @@ def _sampled(machine, symbol, arguments, effects, constant) -> ErrorTable:
 
 
 def _grid(axes) -> np.ndarray:
-    return np.array(list(itertools.product(*axes)), dtype=float).reshape(-1, len(axes))
+    return np.stack([g.ravel() for g in np.meshgrid(*axes, indexing="ij")], axis=1)
 
 
 def _interpolation(value, travel, counts, i: int) -> float:
@@ -132,6 +134,11 @@ def _interpolation(value, travel, counts, i: int) -> float:
     shape[i] = len(fine[i])
     true = np.moveaxis(value(_grid(fine)).reshape(shape), i, -1).reshape(-1, len(fine[i]))
     return max(float(np.abs(np.interp(fine[i], axes[i], t) - f).max()) for t, f in zip(table, true, strict=True))
+
+
+def remark(code: str, line: int = 0, severity: str = "info", **fields) -> Finding:
+    """A remark on a file that was read.  code : of its message."""
+    return Finding(severity, code, Message(code, **fields).text(), line)
 
 
 # -- conventions -----------------------------------------------------------------------------------------------------
@@ -160,10 +167,10 @@ class Convention:
             ("squareness_sign", ("right_handed", "larger_than_90")),
         ):
             if getattr(self, name) not in answers:
-                raise Refused(f"{getattr(self, name)!r} is no answer", name, f"Use {' or '.join(answers)}.")
+                raise Refused("convention-answer", name, value=repr(getattr(self, name))[:60], known=list(answers))
         for name in ("own_motion", "table_positions"):
             if not set(getattr(self, name)) <= set(AXES):
-                raise Refused(f"{getattr(self, name)!r} are not axes", name, "Name X, Y and Z.")
+                raise Refused("convention-axes", name, value=repr(getattr(self, name))[:60])
 
 
 def converted(tables: ErrorTables, convention: Convention) -> ErrorTables:
@@ -171,17 +178,15 @@ def converted(tables: ErrorTables, convention: Convention) -> ErrorTables:
     findings = list(tables.findings)
     whole = -1.0 if convention.sign == "compensation" else 1.0
     if whole < 0:
-        findings.append(Finding("info", "sign-converted", "compensation values: all signs are turned"))
-    for name, what in (("own_motion", "errors"), ("table_positions", "positions")):
+        findings.append(remark("sign-converted"))
+    for name, what in (("own_motion", "frame-converted"), ("table_positions", "positions-converted")):
         axes = getattr(convention, name)
         if axes:
-            text = f"{what} of {', '.join(axes)} are the table's own: their sign is turned"
-            findings.append(Finding("info", "frame-converted", text))
+            findings.append(remark(what, axes=list(axes)))
     if convention.angles == "passive":
-        findings.append(Finding("info", "angles-converted", "passive rotations: the sign of angles is turned"))
+        findings.append(remark("angles-converted"))
     if convention.squareness_sign == "larger_than_90":
-        text = "squareness positive above 90 degrees: the sign of B0Z is turned"
-        findings.append(Finding("info", "squareness-converted", text))
+        findings.append(remark("squareness-sign-converted"))
 
     def sign(symbol):
         c = component(symbol)
@@ -224,26 +229,25 @@ def to_machine(
     effects linear in each of them and in its product with the own position.
     """
     if not 1 <= degree <= MAX_DEGREE:
-        raise Refused(f"degree {degree} is out of range", "degree", f"Use 1 to {MAX_DEGREE}.")
+        raise Refused("degree-out-of-range", "--degree", degree=degree, most=MAX_DEGREE)
     tables = converted(tables, convention or Convention())
     stated = (convention or Convention()).squareness
     findings, quality = list(tables.findings), []
     changes: dict = dict(tables.constants)
     effects = list(machine.effects)
     for table in tables.tables:
-        value, added, approximation = _approximated(table, degree)
+        value, added, approximation = _approximated(machine, table, degree)
         changes[table.symbol] = value
         effects += _renamed(added, effects)
         quality.append(approximation)
     if stated != machine.squareness:
         factor = 1 if stated == "carried" else -1
-        for symbol, rotation in CARRIED_AS.items():
-            s = changes.get(symbol, 0.0)
+        for symbol in squareness_symbols(machine):
+            rotation, s = carried_as(machine, symbol), changes.get(symbol, 0.0)
             if s:
                 old = changes.get(rotation) or series(machine, rotation)
-                changes[rotation] = old.plus(factor * machine.side(symbol[2]) * s)
-        text = f"squareness is stated as {stated}: converted by constant rotations, as this machine takes it as "
-        findings.append(Finding("info", "squareness-converted", text + machine.squareness))
+                changes[rotation] = old.plus(factor * machine.side(machine.component(symbol).body) * s)
+        findings.append(remark("squareness-converted", stated=stated, taken=machine.squareness))
     return with_fitted(machine, changes, effects), tuple(quality), tuple(findings)
 
 
@@ -259,10 +263,10 @@ def _renamed(added, effects):
     return out
 
 
-def _approximated(table: ErrorTable, degree: int):
+def _approximated(machine: Machine, table: ErrorTable, degree: int):
     """(Series or constant, effects, Approximation) by least squares."""
-    c = component(table.symbol)
-    scale = 1e6 if c.angular else 1e3
+    c = machine.component(table.symbol)
+    scale = c.to_shown(1.0)
     function = c.kind != SQUARENESS and c.body in table.arguments
     own = table.arguments.index(c.body) if function else None
     others = [i for i in range(len(table.arguments)) if i != own]
@@ -272,7 +276,7 @@ def _approximated(table: ErrorTable, degree: int):
         used = min(degree, len(np.unique(q)) - 1)
         domain = (float(q.min()), float(q.max()))
     if domain[0] >= domain[1]:
-        raise Refused(f"the table of {table.symbol} has one position only", table.symbol, "Give two positions or more.")
+        raise Refused("table-one-position", table.symbol, symbol=table.symbol)
     blocks = [np.ones((len(table.values), 1))]
     if own is not None:
         blocks = [np.polynomial.legendre.legvander(to_domain(q, domain), used)]

@@ -9,17 +9,32 @@ BACKLASH is not used: the difference of the two columns takes its place.
 from __future__ import annotations
 
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message, Refused
+from sensworkbench.studies.axis_tables import AxisTable
 
-from .axis_tables import AxisTable
+from ..base import AxisTables
 
-LIMIT = 256
+
+class LinuxCnc(AxisTables):
+    """`x.comp` ... and the lines for the machine's INI file."""
+
+    name, title, sign = "linuxcnc", "LinuxCNC COMP_FILE", "sign-linuxcnc"
+    limit = 256
+
+    def shifts(self, source, output, reverses):
+        return None if source == output else Message("table-shifts-own")
+
+    def files(self, tables, file_type: int = 0):
+        return files(tables, file_type)
+
+
+FORMAT = LinuxCnc()
 
 
 def files(tables: dict[tuple[str, str], AxisTable], file_type: int = 0) -> dict[str, str]:
     """File name -> text: `x.comp` ... and the lines for the INI file."""
     if file_type not in (0, 1):
-        raise Refused(f"COMP_FILE_TYPE {file_type!r} is unknown", "LinuxCNC", "Use 0 or 1.")
+        raise Refused("linuxcnc-type", "LinuxCNC", value=repr(file_type)[:60])
     out, ini = {}, ["# lines for the machine's INI file; joint numbers as in [KINS] of a trivkins XYZ machine"]
     for joint, axis in enumerate(AXES):
         table = tables.get((axis, axis))

@@ -12,16 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from sensworkbench.closedloop.predict import predict
-from sensworkbench.closedloop.readings import Readings
-from sensworkbench.core.errors import AXES
-from sensworkbench.core.fitted import FittedModel
-from sensworkbench.core.machine import Machine
+from ..closedloop.predict import predict
+from ..closedloop.readings import Readings
+from ..core.fitted import FittedModel
+from ..core.machine import Machine
+from .axis_tables import correction, readings_at
+from .coverage import Holder, after_compensation
 
-from .axis_tables import correction
-from .coverage import DIRECTION, POSITION, after_compensation
-
-GRID = 7
+GRID, COARSE = 7, 4  # positions per joint; of more than three joints
 
 
 @dataclass(frozen=True)
@@ -35,35 +33,36 @@ class Remaining:
     left_out: tuple[str, ...]
 
 
-def workspace(machine: Machine, count: int = GRID) -> Readings:
-    """count³ positions over the travel, each with all directions of approach + and -, without readings."""
-    axes = [np.linspace(*machine.axes[k].travel, count) for k in AXES]
-    q = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+def workspace(machine: Machine, count: int | None = None) -> Readings:
+    """`count` positions per joint over the travel, each with all directions of approach + and -, without readings."""
+    count = count or (GRID if len(machine.joints) <= 3 else COARSE)
+    nodes = [np.linspace(*j.span, count) for j in machine.joints]
+    q = np.stack([g.ravel() for g in np.meshgrid(*nodes, indexing="ij")], axis=1)
     q = np.concatenate([q, q])
-    direction = np.repeat([1.0, -1.0], len(q) // 2)
-    columns = {name: direction for name in DIRECTION}
-    return Readings.from_vectors(q, np.full_like(q, np.nan), columns)
+    sense = np.repeat([1.0, -1.0], len(q) // 2)
+    return readings_at(machine, q, np.repeat(sense[:, None], len(machine.joints), axis=1))
 
 
-def remaining(machine: Machine, fmt: str, positions: Readings | None = None, tables=None) -> Remaining:
-    """The error that the tables of `fmt` leave, in the machine's own frame (the set-up's alignment is left out).
+def remaining(machine: Machine, holder: Holder, positions: Readings | None = None, tables=None) -> Remaining:
+    """The error that the tables of a format leave, in the machine's own frame (the set-up's alignment is left out).
 
     positions : places and conditions to judge at; without them the workspace grid.  tables : axis tables to judge
     instead of what the format could hold at best.
     """
     left_out: tuple[str, ...] = ()
+    known = {j.column for j in machine.joints} | {f"dir_{j.column}" for j in machine.joints}
     if positions is None:
         positions = workspace(machine)
-        known = {*POSITION, *DIRECTION}
         left_out = tuple(e.name for e in machine.effects if e.enabled and not set(e.columns) <= known)
     effects = tuple(replace(e, enabled=False) if e.name in left_out else e for e in machine.effects)
     machine = replace(machine, effects=effects, fitted=machine.fitted or FittedModel())
     before = predict(machine, positions, alignment=False)
     if tables is None:
-        after = predict(after_compensation(machine, fmt), positions, alignment=False)
+        after = predict(after_compensation(machine, holder), positions, alignment=False)
     else:
         none = np.zeros(positions.points)
-        direction = np.stack([positions.columns.get(name, none) for name in DIRECTION], axis=1)
+        names = [f"dir_{j.column}" for j in machine.joints]
+        direction = np.stack([positions.columns.get(name, none) for name in names], axis=1)
         after = before - correction(machine, tables, positions.q, direction)
     figures = []
     for error in (before, after):

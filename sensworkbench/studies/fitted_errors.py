@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from sensworkbench.core.effects import Effect
-from sensworkbench.core.errors import DECLARED_SYMBOLS, SQUARENESS_SYMBOLS, component
-from sensworkbench.core.fitted import Constant, FittedModel, Series
-from sensworkbench.core.machine import Machine
-
-__all__ = ["CARRIED_AS", "Series", "as_direction", "present", "series", "squareness", "with_fitted"]
+from ..core.effects import Effect
+from ..core.errors import SQUARENESS
+from ..core.fitted import Constant, FittedModel, Series
+from ..core.machine import Machine
+from ..messages import Refused
 
 
 def series(machine: Machine, symbol: str) -> Series:
@@ -23,11 +22,13 @@ def series(machine: Machine, symbol: str) -> Series:
     if symbol in fitted.series:
         return fitted.series[symbol]
     constant = fitted.constants.get(symbol)
-    return Series(machine.axes[component(symbol).body].travel, (0.0 if constant is None else constant.value,))
+    joint = machine.joint(machine.component(symbol).body)
+    domain = tuple(joint.to_shown(v) for v in joint.span)
+    return Series(domain, (0.0 if constant is None else constant.value,))
 
 
-def squareness(machine: Machine, symbol: str) -> float:
-    """The fitted squareness error, rad."""
+def line_error(machine: Machine, symbol: str) -> float:
+    """The fitted error of an axis line (squareness, position, orientation), rad or mm."""
     constant = (machine.fitted or FittedModel()).constants.get(symbol)
     return 0.0 if constant is None else constant.value
 
@@ -36,8 +37,8 @@ def present(machine: Machine) -> tuple[str, ...]:
     """The declared errors that have a fitted value other than zero."""
     return tuple(
         s
-        for s in DECLARED_SYMBOLS
-        if (squareness(machine, s) if s in SQUARENESS_SYMBOLS else not series(machine, s).empty)
+        for s in machine.declared_symbols
+        if (line_error(machine, s) if machine.component(s).line else not series(machine, s).empty)
     )
 
 
@@ -52,36 +53,52 @@ def with_fitted(machine: Machine, changes: Mapping[str, Series | float | None], 
     return replace(machine, fitted=fitted, effects=machine.effects if effects is None else tuple(effects))
 
 
-CARRIED_AS = {"C0Y": "ECY", "A0Z": "EAZ", "B0Z": "EBZ"}
+def carried_as(machine: Machine, symbol: str) -> str:
+    """The rotation that a carried squareness is beside the tilt of direction: `ECY` of `C0Y`."""
+    c = machine.component(symbol)
+    return f"E{c.symbol[0]}{c.body}"
+
+
+def squareness_symbols(machine: Machine) -> tuple[str, ...]:
+    """The squareness errors of a machine."""
+    return tuple(s for s in machine.line_symbols if machine.component(s).kind == SQUARENESS)
 
 
 def as_direction(machine: Machine) -> Machine:
     """The same machine with squareness as a tilt of direction only (ISO 230-1).
 
     A carried squareness s of axis k also turns what the axis carries: that is a constant rotation of body k by s on
-    the tool side and by -s on the workpiece side.  Nothing is lost.
+    the tool side and by -s on the workpiece side.  Nothing is lost.  Refuses fitted errors of rotary axis lines that
+    are carried: they turn with the axis, and no constant says the same.
     """
     if machine.squareness == "direction":
         return machine
+    lines = squareness_symbols(machine)
+    for symbol in machine.line_symbols:
+        driven = line_error(machine, symbol) or any(e.component == symbol for e in machine.effects)
+        if symbol not in lines and driven:
+            raise Refused("carried-rotary-line", machine.name, symbol=symbol)
     changes = {}
-    for symbol, rotation in CARRIED_AS.items():
-        value = squareness(machine, symbol)
+    for symbol in lines:
+        value = line_error(machine, symbol)
         if value:
-            changes[rotation] = series(machine, rotation).plus(machine.side(symbol[2]) * value)
+            rotation = carried_as(machine, symbol)
+            changes[rotation] = series(machine, rotation).plus(machine.side(machine.component(symbol).body) * value)
     effects = []
     for effect in machine.effects:
         effects.append(effect)
-        if effect.component in CARRIED_AS:
-            effects.append(_turned(effect, machine.side(effect.component[2])))
+        if effect.component in lines:
+            side = machine.side(machine.component(effect.component).body)
+            effects.append(_turned(effect, side, carried_as(machine, effect.component)))
     return replace(with_fitted(machine, changes, effects), squareness="direction")
 
 
-def _turned(effect: Effect, sign: int) -> Effect:
+def _turned(effect: Effect, sign: int, component: str) -> Effect:
     reach = None if effect.reach is None else tuple(sorted(sign * v for v in effect.reach))
     return replace(
         effect,
         name=f"{effect.name} (carried)",
-        component=CARRIED_AS[effect.component],
+        component=component,
         coefficients=tuple(sign * v for v in effect.coefficients),
         reach=reach,
     )

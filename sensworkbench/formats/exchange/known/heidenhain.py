@@ -12,18 +12,34 @@ from __future__ import annotations
 import numpy as np
 
 from sensworkbench.core.errors import AXES
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message, Refused
+from sensworkbench.studies.axis_tables import AxisTable
 
-from .axis_tables import AxisTable
+from ..base import AxisTables
 
-LIMIT = 256
 STYLES = ("tnc640", "itnc530")
+
+
+class Heidenhain(AxisTables):
+    """`AXIS_X.COM` ... and config.cma that assigns them."""
+
+    name, title, sign = "heidenhain", "Heidenhain .COM", "sign-heidenhain"
+    limit = 256
+
+    def shifts(self, source, output, reverses):
+        return Message("table-direction-own") if reverses and source != output else None
+
+    def files(self, tables, style: str = "tnc640"):
+        return files(tables, style)
+
+
+FORMAT = Heidenhain()
 
 
 def files(tables: dict[tuple[str, str], AxisTable], style: str = "tnc640") -> dict[str, str]:
     """File name -> text of the tables, and of config.cma that assigns them."""
     if style not in STYLES:
-        raise Refused(f"unknown style {style!r}", "Heidenhain", f"Use {' or '.join(STYLES)}.")
+        raise Refused("heidenhain-style", "Heidenhain", style=repr(style)[:60], known=list(STYLES))
     out, used = {}, []
     for source in AXES:
         group = {o: tables[s, o] for s, o in tables if s == source}
@@ -66,7 +82,7 @@ def _itnc530(name: str, group) -> str:
     position = _position(group)
     columns = [o for o in AXES if o in group]
     if any(group[o].reverses for o in columns):
-        raise Refused("an iTNC 530 table does not know the direction of travel", name, "Use the style tnc640.")
+        raise Refused("heidenhain-direction", name)
     step = position[1] - position[0]
     numbers = {o: AXES.index(o) + 1 for o in columns}
     lines = [f"BEGIN {name}  DATUM:{position[0]:+.4f} DISTANCE:{step:.4f}"]

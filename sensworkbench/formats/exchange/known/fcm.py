@@ -17,56 +17,76 @@ from sensworkbench.closedloop.readings import Finding
 from sensworkbench.core import joints
 from sensworkbench.core.errors import AXES
 from sensworkbench.core.machine import Machine
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message, Refused
+from sensworkbench.studies.error_tables import remark
 
-from ..json_text import Place, parse, short
+from ...json_text import Place, parse, short
+from ..base import MachineFile
 
 UNITS = ("metric", "imperial")
 IDENTITY = ([0, 0, 0], [0, 0, 0, 1])
 ROLES = {"table_linear": "workpiece", "head_linear": "tool"}
 
 
+class Fcm(MachineFile):
+    """Axes, chains and limits; no errors."""
+
+    name, title = "fcm", "FreeCAD CAM machine"
+    file = "machine.fcm"
+    reads_machine = True
+
+    def machine_text(self, machine, base: str | None = None):
+        return dumps(machine, base)
+
+    def lost(self, machine):
+        return lost(machine)
+
+    def read_machine(self, text, source, tool_point):
+        return loads(text, source, tool_point)
+
+
+FORMAT = Fcm()
+
+
 def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) -> tuple[Machine, tuple[Finding, ...]]:
     """The machine in `text`, and what the file leaves open."""
     top = parse(text, source)
     if not isinstance(top.value, dict):
-        raise top.refuse("this is not a FreeCAD machine", "Save it from the machine editor of CAM.")
+        raise top.refuse("fcm-no-machine")
     if top.value.get("version", 1) != 1:
-        raise top["version"].refuse(f"version {top.value['version']!r} is not known", "Known is 1.")
+        raise top["version"].refuse("fcm-version", version=short(top.value["version"]))
     place = top["machine"] if "machine" in top else top
     if not isinstance(place.value, dict) or not isinstance(place.value.get("axes"), dict):
-        raise place.refuse("the machine has no axes", "Save it from the machine editor of CAM.")
+        raise place.refuse("fcm-no-axes")
     units = place.value.get("units", "metric")
     if units not in UNITS:
-        raise place["units"].refuse(f"units {short(units)} are unknown", 'Use "metric" or "imperial".')
+        raise place["units"].refuse("fcm-units", units=short(units))
     findings = []
     if units == "imperial":
-        text = "imperial units are only how CAM shows them: lengths in the file are read as mm, as CAM stores them"
-        findings.append(Finding("warning", "units", text))
+        findings.append(remark("fcm-imperial", 0, "warning"))
     _base_frame(place, findings)
     linear: dict[str, Mapping] = {}
     parents: dict[str, str | None] = {}
     for name, entry in place["axes"].members():
         if not isinstance(entry.value, dict):
-            raise entry.refuse("an axis is an object")
+            raise entry.refuse("fcm-axis-no-object")
         if name.upper() in parents:
-            raise entry.refuse(f"axis {short(name)} stands twice, in capital and small letters", "Keep one.")
+            raise entry.refuse("fcm-axis-twice", name=short(name))
         parents[name.upper()] = _parent(entry)
         if entry.value.get("type", "linear") != "linear":
-            findings.append(Finding("warning", "axis-ignored", f"axis {name} is rotary: it stays where it is"))
+            findings.append(remark("fcm-axis-rotary", 0, "warning", name=name))
         elif name.upper() in AXES:
             linear[name.upper()] = _axis(name, entry)
         else:
-            findings.append(Finding("warning", "axis-ignored", f"axis {name} is none of X, Y, Z: it stays where it is"))
+            findings.append(remark("fcm-axis-other", 0, "warning", name=name))
     for name in AXES:
         if name not in linear:
-            raise place["axes"].refuse(f"linear axis {name} is missing", "A machine has X, Y and Z.")
+            raise place["axes"].refuse("fcm-axis-missing", name=name)
     chains = {side: _chain(linear, parents, side, findings) for side in ("workpiece", "tool")}
     if tuple(tool_point) == (0.0, 0.0, 0.0):
-        findings.append(Finding("warning", "tool-point", "the file knows no tool point: the origin is taken"))
+        findings.append(remark("fcm-tool-point", 0, "warning"))
     if all(a["origin"] == (0.0, 0.0, 0.0) for a in linear.values()):
-        text = "all joints stand at the origin: lever arms are only as good as these reference points"
-        findings.append(Finding("warning", "reference-points", text))
+        findings.append(remark("fcm-reference-points", 0, "warning"))
     machine = Machine(
         name=str(place.value.get("name", "machine")),
         workpiece_chain=chains["workpiece"],
@@ -83,8 +103,7 @@ def _base_frame(place: Place, findings) -> None:
     if isinstance(frame, dict) and any(
         frame.get(key, same) != same for key, same in zip(("origin", "orientation_quaternion"), IDENTITY)
     ):
-        text = "the machine's base frame is moved or turned: everything is read in that frame, as the joints are"
-        findings.append(Finding("warning", "base-frame", text))
+        findings.append(remark("fcm-base-frame", 0, "warning"))
 
 
 def _parent(entry: Place) -> str | None:
@@ -95,15 +114,15 @@ def _parent(entry: Place) -> str | None:
 def _axis(name: str, entry: Place) -> dict:
     role = entry.value.get("role", "table_linear")
     if not isinstance(role, str) or role not in ROLES:
-        raise entry["role"].refuse(f"role {short(role)} is not that of a linear axis", f"Use {' or '.join(ROLES)}.")
+        raise entry["role"].refuse("fcm-role", role=short(role), known=list(ROLES))
     origin, direction = _joint(entry)
     limits = entry["limits"] if "limits" in entry else None
     if limits is not None and not isinstance(limits.value, dict):
-        raise limits.refuse(f"{short(limits.value)} are no limits", 'Give {"min": ..., "max": ...} in mm.')
+        raise limits.refuse("fcm-no-limits", value=short(limits.value))
     low = limits["min"].number() if limits is not None and "min" in limits else 0.0
     high = limits["max"].number() if limits is not None and "max" in limits else 1000.0
     if not low < high:
-        raise entry.refuse(f"limits from {low:g} to {high:g} have no length", "Correct the limits.")
+        raise entry.refuse("fcm-limits", low=low, high=high)
     return {
         "side": ROLES[role],
         "origin": origin,
@@ -116,7 +135,7 @@ def _axis(name: str, entry: Place) -> dict:
 def _joint(entry: Place):
     """(origin, unit direction); both spellings of `joint`, and either order of the list."""
     if "joint" not in entry:
-        raise entry.refuse("the axis has no joint", 'Give "joint": {"origin": [x, y, z], "axis": [x, y, z]}.')
+        raise entry.refuse("fcm-no-joint")
     joint = entry["joint"]
     if isinstance(joint.value, dict):
         joint.keys(("origin", "axis"), ("origin", "axis"))
@@ -128,7 +147,7 @@ def _joint(entry: Place):
         origin, axis = (second, first) if older else (first, second)
     length = math.hypot(*axis)
     if length < 1e-6:
-        raise joint.refuse("the axis has no direction", "Give a vector.")
+        raise joint.refuse("fcm-no-direction")
     return tuple(origin), tuple(v / length for v in axis)
 
 
@@ -145,8 +164,7 @@ def _chain(linear, parents, side: str, findings) -> tuple[str, ...]:
 
     keys = {k: (depth(k), linear[k]["sequence"]) for k in names}
     if len(set(keys.values())) < len(names):
-        text = f"the file does not say which of {', '.join(names)} carries the other: as listed, from the bed outwards"
-        findings.append(Finding("warning", "chain-order", text))
+        findings.append(remark("fcm-chain-order", 0, "warning", names=names))
     return tuple(sorted(names, key=lambda k: keys[k]))
 
 
@@ -154,21 +172,22 @@ def dumps(machine: Machine, base: str | None = None, source: str = "machine.fcm"
     """The machine as *.fcm; with `base`, the text of an existing file, only its linear axes and name are replaced."""
     data = parse(base, source).value if base is not None else _fresh()
     if not isinstance(data, dict) or not isinstance(data.get("machine", {}), dict):
-        raise Refused("this is not a FreeCAD machine", source, "Save it from the machine editor of CAM.")
+        raise Refused("fcm-no-machine", source)
     place = data.setdefault("machine", {})
     axes = place.setdefault("axes", {})
-    for chain, role in ((machine.workpiece_chain, "table_linear"), (machine.tool_chain, "head_linear")):
+    for chain, side in ((machine.workpiece_chain, "table"), (machine.tool_chain, "head")):
         for i, k in enumerate(chain):
-            axis = machine.axes[k]
+            joint = machine.joint(k)
+            low, high = (joint.to_shown(v) for v in joint.span)
             axes[k] = {
                 "max_velocity": 10000,
                 **(axes.get(k) or {}),
-                "type": "linear",
-                "role": role,
+                "type": joint.kind.name,
+                "role": f"{side}_{joint.kind.name}",
                 "parent": chain[i - 1] if i else None,
                 "sequence": i,
-                "joint": {"origin": list(axis.reference), "axis": list(axis.direction)},
-                "limits": {"min": axis.travel[0], "max": axis.travel[1]},
+                "joint": {"origin": list(joint.point), "axis": list(joint.direction)},
+                "limits": {"min": low, "max": high},
             }
     place["name"] = machine.name
     return json.dumps(data, indent=4, ensure_ascii=False, allow_nan=False) + "\n"
@@ -187,13 +206,13 @@ def _fresh() -> dict:
     return {"machine": machine | {"toolheads": [toolhead]}, "version": 1}
 
 
-def lost(machine: Machine) -> tuple[str, ...]:
+def lost(machine: Machine) -> tuple[Message, ...]:
     """What of the machine a *.fcm cannot hold."""
-    out = ["the tool point and the reference points of spindle and workpiece"]
+    out = [Message("held-not-points")]
     if machine.tolerances:
-        out.append("tolerances")
+        out.append(Message("held-not-tolerances"))
     if machine.fitted is not None:
-        out.append("fitted errors")
+        out.append(Message("held-not-fitted"))
     if machine.effects:
-        out.append("effects")
+        out.append(Message("held-not-effects"))
     return tuple(out)
