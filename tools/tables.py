@@ -13,8 +13,13 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from sensworkbench.cli import program  # noqa: E402
+from sensworkbench.formats.exchange import tables  # noqa: E402
 
-TABLES = {("docs/command-line.md", "verbs"): program.table}
+TABLES = {
+    ("docs/command-line.md", "verbs"): program.table,
+    ("docs/formats.md", "formats"): tables.formats_table,
+    ("docs/formats.md", "holds"): tables.holds_table,
+}
 
 
 def main() -> None:

@@ -86,13 +86,17 @@ class Readings:
 
     @classmethod
     def from_vectors(cls, q, error, columns=None, *, u=None, run=None, tool_offset=None, units=None) -> Readings:
-        """Readings of full vectors: q (P, 3) mm, error (P, 3) mm (NaN: not read), u (P,) mm or None."""
+        """Readings of full vectors: q (P, n) mm or rad, error (P, 3) mm (NaN: not read), u (P,) mm or None.
+
+        columns : driver columns; the positions of the joints are to be among them (default: those of x, y, z).
+        """
         q, error = np.asarray(q, dtype=float), np.asarray(error, dtype=float)
         count = len(q)
         point, kind = np.divmod(np.arange(3 * count), 3)
         given = np.isfinite(error.ravel())
         spread = np.full(count, np.nan) if u is None else np.broadcast_to(np.asarray(u, dtype=float), count)
-        table = {"x": q[:, 0], "y": q[:, 1], "z": q[:, 2]} | dict(columns or {})
+        table = dict(zip("xyz", q.T)) if q.shape[1] == 3 and "x" not in (columns or {}) else {}
+        table |= dict(columns or {})
         return cls(
             q=q,
             point=point[given],

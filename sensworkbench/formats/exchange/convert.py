@@ -98,12 +98,3 @@ def import_errors(
 def import_machine(path, tool_point=(0.0, 0.0, 0.0), name: str = "fcm") -> tuple[Machine, tuple[Finding, ...]]:
     """The machine of a machine file of another system."""
     return known.get(name).read_machine(read_text(path), str(Path(path)), tool_point)
-
-
-def formats_table() -> str:
-    """The table of formats of docs/formats.md, made from the modules of `known`."""
-    rows = [("format", "what it is", "written", "read"), ("---",) * 4]
-    for f in known.every():
-        read = "errors" if f.reads_errors else "machine" if f.reads_machine else ""
-        rows.append((f"`{f.name}`", f.title, "yes" if f.writes else "", read))
-    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
