@@ -13,7 +13,7 @@ from sensworkbench import cli
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import json_text, machine_json, readings_conventions, readings_csv
-from sensworkbench.formats.exchange import etalon, fcm, isg
+from sensworkbench.formats.exchange.known import etalon, fcm, isg
 from sensworkbench.studies.places import within_travel
 
 from .support import golden, write
