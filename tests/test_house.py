@@ -34,13 +34,14 @@ FREECAD = {
     "Sketcher",
 }
 WINDOW = {"FreeCADGui", "ImportGui", "PySide", "pivy"}
+EXTRAS = {"distributed"}  # `pip install sensworkbench[cluster]`: a verb may use it where it is
 OUTSIDE = {"numpy", "matplotlib", "scipy", "PySide", "pivy"} | FREECAD
 OPTIONAL = {"matplotlib", "scipy"}  # come with FreeCAD, may be missing under plain Python
 FORBIDDEN = {
     "messages": FREECAD | WINDOW | OPTIONAL | {"numpy"},
     "core": FREECAD | WINDOW | OPTIONAL,
     "closedloop": FREECAD | WINDOW | OPTIONAL,
-    "studies": FREECAD | WINDOW | OPTIONAL,
+    "studies": FREECAD | WINDOW | {"matplotlib"},
     "formats": FREECAD | WINDOW,
     "cli": WINDOW,
     "document": WINDOW,
@@ -156,6 +157,8 @@ def unknown_imports(text: str, package: str):
     """What a user of FreeCAD does not have: anything but the standard library, numpy and FreeCAD's own."""
     for target, line, guarded in imported(text, package):
         top = target.split(".")[0]
+        if top in EXTRAS and guarded and package == "sensworkbench.cli.verbs":
+            continue
         if top in OPTIONAL and not guarded:
             yield line, f"{top} is imported where it may be missing"
         if top != "sensworkbench" and top not in OUTSIDE and top not in sys.stdlib_module_names:
