@@ -17,12 +17,12 @@ def coefficient_unit(symbol: str, shape: Shape, driver: Driver, units=None) -> s
     return effects.coefficient_unit(component(symbol).unit, shape, driver.unit(units))
 
 
-def to_effect(name: str, candidate, covariance, uncertainty, units=None, reach=None) -> Effect:
+def to_effect(name: str, candidate, covariance, uncertainty, units=None, reach=None, extent=None) -> Effect:
     """The effect of a candidate.
 
     covariance (m, m) of its coefficients, mm² or rad²; uncertainty : parameter -> its standard uncertainty.
     units : column -> unit, of the readings.  reach : (lowest, highest) value of the component over the readings, mm or
-    rad.
+    rad.  extent : (lowest, highest) value of its driver over them.
     """
     shape, coefficients, spread = candidate.shape.stored(candidate.coefficients, covariance)
     u = np.sqrt(np.maximum(np.diag(spread), 0.0))
@@ -35,5 +35,6 @@ def to_effect(name: str, candidate, covariance, uncertainty, units=None, reach=N
         u=tuple(u),
         shape_u=dict(uncertainty),
         reach=reach,
+        extent=extent,
         driver_unit=candidate.driver.unit(units),
     )

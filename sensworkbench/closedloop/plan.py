@@ -229,7 +229,7 @@ class Plan:
             amplitude = 1e3 * self.noise * float(np.sqrt(self.threshold / (self.readings.points * visible)))
             motion = float(np.sqrt(self.threshold / scanner.shown[one, place]))  # rms over the points
             size = float(np.sqrt((regressor.vectors(self.readings.columns)[:, 0] ** 2).mean()))
-            coefficient = motion / size * (1e6 if COMPONENTS[symbol].angular else 1e3)
+            coefficient = COMPONENTS[symbol].to_shown(motion / size)
         unit = coefficient_unit(symbol, shape, regressor.driver, self.readings.units)
         if shape.saturation is not None:  # its size is what it saturates at
             unit = COMPONENTS[symbol].unit

@@ -154,8 +154,10 @@ class _Final:
                 name += " (again)"
             names.add(name)
             reach = (float(motion.min()), float(motion.max()))
+            driven = c.driver.values(readings.columns)
+            extent = (float(driven.min()), float(driven.max()))
             covariance = self.full.covariance[block, block]
-            out.append(to_effect(name, c, covariance, uncertainty, readings.units, reach))
+            out.append(to_effect(name, c, covariance, uncertainty, readings.units, reach, extent))
         return out
 
     def _uncertainty(self, c: ScoredTerm, i: int) -> dict[str, float]:
