@@ -11,7 +11,7 @@
 # One test: .venv/bin/python -m pytest FILE::NAME, or .venv/bin/python tests/run_in_freecad.py [--gui] FILE::NAME
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
 # make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
-# make screens  a picture of every panel, light and dark, in build/screens/
+# make screens  a picture of every panel on each FreeCAD that is there: three sizes of screen, light and dark, in build/screens/
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
 SHELL := /bin/bash
@@ -86,8 +86,7 @@ translations:
 	$(PYTHON) resources/translations/update.py
 
 screens: system venv
-	$(VENV_PYTHON) tests/run_in_freecad.py --gui -q tests/gui/test_panels.py tests/gui/test_commands.py
-	@ls build/screens
+	tools/screens.sh
 
 clean:
 	rm -rf build

@@ -7,6 +7,9 @@ The add-on is linked into the Mod folder of a throw-away user home (FreeCAD rest
 window opens on a private X server without start page, splash or animation.  SENS_FREECADCMD and SENS_FREECAD name
 the programs where they are not on the path.
 
+SENS_SCREEN is the size of that server's screen (default 1280x1024).  SENS_THEME, light or dark, gives the window the
+theme that FreeCAD 1.0 and later have on a first start (default: none, as FreeCAD 0.20); QT_SCALE_FACTOR is Qt's own.
+
 A run that hangs ends as a failure with the stacks of all threads: when no test has begun or ended for SENS_TEST_QUIET
 seconds (default 300), or after SENS_TEST_TIMEOUT seconds (default 1500).
 """
@@ -21,6 +24,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+import xml.etree.ElementTree as ET
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -91,10 +95,32 @@ def program(gui: bool) -> str:
     sys.exit(f"{names[0]} is not on the path; set {'SENS_FREECAD' if gui else 'SENS_FREECADCMD'}")
 
 
+def themed(theme: str) -> str:
+    """The settings of a first start with FreeCAD's own light or dark theme; the plain ones where it has none."""
+    root = ET.fromstring(USER_CFG)
+    name = f"FreeCAD {theme.capitalize()}"
+    for share in ("/usr/share/freecad", "/usr/lib/freecad/share"):
+        pack = Path(share) / "Gui" / "PreferencePacks" / name / f"{name}.cfg"
+        if theme and pack.is_file():
+            merge(root, ET.parse(pack).getroot())
+    return ET.tostring(root, encoding="unicode", xml_declaration=True)
+
+
+def merge(into: ET.Element, other: ET.Element) -> None:
+    """Put the groups and values of one tree of settings into another; what is there stays."""
+    known = {(child.tag, child.get("Name")): child for child in into}
+    for child in other:
+        mine = known.get((child.tag, child.get("Name")))
+        if mine is None:
+            into.append(child)
+        elif child.tag == "FCParamGroup":
+            merge(mine, child)
+
+
 def make_home(folder: Path) -> None:
     (folder / "Mod").mkdir()
     (folder / "Mod" / "SensWorkbench").symlink_to(ROOT)
-    (folder / "user.cfg").write_text(USER_CFG, encoding="utf-8")
+    (folder / "user.cfg").write_text(themed(os.environ.get("SENS_THEME", "")), encoding="utf-8")
     (folder / "run.py").write_text(RUNNER, encoding="utf-8")
 
 
@@ -156,7 +182,7 @@ def main(argv: list[str]) -> int:
         )
         line = [command, str(home / "run.py")]
         if gui:
-            line = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *line]
+            line = ["xvfb-run", "-a", "-s", f"-screen 0 {os.environ.get('SENS_SCREEN', '1280x1024')}x24", *line]
         signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))  # by way of `finish`, which ends FreeCAD too
         process = subprocess.Popen(line, env=environment, cwd=ROOT, start_new_session=True)
         return finish(process, home / "began", quiet, limit)

@@ -34,6 +34,10 @@ die() { say "$*"; exit 1; }
 have() { command -v "$1" > /dev/null 2>&1; }
 known() { [[ " ${VERSIONS[*]} " == *" $1 "* ]] || die "no such version: $1 (there are ${VERSIONS[*]})"; }
 
+packages_of() { # what a version needs beyond PACKAGES: Qt 6 shows no arrow and no tick without its SVG plug-in
+    echo "${PACKAGES[*]}$([ "$1" = 1.1 ] && echo " qt6-svg-plugins")"
+}
+
 suite_of() {
     case $1 in
         0.20) echo bookworm ;;
@@ -79,7 +83,7 @@ build() { # VERSION
     local version=$1 suite root site
     suite=$(suite_of "$version")
     root=$(root_of "$version")
-    [ "$(cat "$root/$READY" 2> /dev/null)" != "${PACKAGES[*]}" ] || return 0
+    [ "$(cat "$root/$READY" 2> /dev/null)" != "$(packages_of "$version")" ] || return 0
     require
     site=$(mirror)
     if [ ! -e "$root/.debootstrapped" ]; then # absent, or cut off half way
@@ -106,10 +110,11 @@ DPKG
     printf '#!/bin/sh\nexit 101\n' > "$root/usr/sbin/policy-rc.d" # start no services
     chmod +x "$root/usr/sbin/policy-rc.d"
     inside "$root" apt-get -q update || die "apt-get update in $suite failed: FreeCAD $version is not tested"
-    inside "$root" env DEBIAN_FRONTEND=noninteractive apt-get -q -y install "${PACKAGES[@]}" ||
+    # shellcheck disable=SC2046
+    inside "$root" env DEBIAN_FRONTEND=noninteractive apt-get -q -y install $(packages_of "$version") ||
         die "FreeCAD cannot be installed from $suite: FreeCAD $version is not tested"
     inside "$root" apt-get clean
-    echo "${PACKAGES[*]}" > "$root/$READY"
+    packages_of "$version" > "$root/$READY"
 }
 
 install() {

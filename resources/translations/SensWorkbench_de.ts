@@ -45,8 +45,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
-      <source>Abbe offset {name}: {length} mm</source>
-      <translation>Abbe-Abstand {name}: {length} mm</translation>
+      <source>Abbe offset {name}: {length}</source>
+      <translation>Abbe-Abstand {name}: {length}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -67,6 +67,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>All axes to 0</source>
       <translation>Alle Achsen auf 0</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Allowed</source>
+      <translation>Zulässig</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -234,16 +239,6 @@
       <translation>Neu berechnen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>Compute the sensitivity again, then export.</source>
-      <translation>Die Sensitivität neu berechnen, dann ausgeben.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>Compute the sensitivity first.</source>
-      <translation>Zuerst die Sensitivität berechnen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Computes the indices of the machine as it is now</source>
       <translation>Berechnet die Indizes der Maschine, wie sie jetzt ist</translation>
@@ -262,6 +257,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Condition</source>
       <translation>Kondition</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Copy</source>
+      <translation>Kopieren</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -304,7 +304,7 @@
       <translation>Verteilung</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Driver</source>
       <translation>Treiber</translation>
     </message>
@@ -357,11 +357,6 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Errors</source>
       <translation>Abweichungen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
-      <source>Exchange the two limits.</source>
-      <translation>Die beiden Grenzen vertauschen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -464,6 +459,11 @@
       <translation>In halben Stichproben wiedergefunden</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>From 0 to 1, so that every machine has the same colours</source>
+      <translation>Von 0 bis 1, damit alle Maschinen dieselben Farben haben</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>From 0 to just above the largest index</source>
       <translation>Von 0 bis knapp über den größten Index</translation>
@@ -487,6 +487,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Gives the selected errors the limits ± this value</source>
       <translation>Gibt den gewählten Abweichungen die Grenzen ± dieser Wert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Greatest error that is allowed; what is tried passes or fails it</source>
+      <translation>Größter zulässiger Fehler; der Versuch hält ihn ein oder nicht</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -534,19 +539,9 @@
       <translation>Wie es gezeigt wird</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Import or draw the machine's parts first, or begin with Example Machine.</source>
-      <translation>Zuerst die Teile der Maschine importieren oder zeichnen, oder mit „Beispielmaschine“ beginnen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import readings</source>
       <translation>Messwerte importieren</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>Import readings first.</source>
-      <translation>Zuerst Messwerte importieren.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -777,6 +772,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>Eine Position</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Open the folder</source>
+      <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Open the report</source>
+      <translation>Bericht öffnen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1014,6 +1019,11 @@
       <translation>Rivale</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Save as CSV…</source>
+      <translation>Als CSV speichern…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Save mapping</source>
       <translation>Zuordnung speichern</translation>
@@ -1027,6 +1037,11 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>Bild speichern</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Save table</source>
+      <translation>Tabelle speichern</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -1052,11 +1067,6 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
       <translation>Ein Koordinatensystem, einen Punkt, eine Kante oder Fläche an der Werkzeugspitze wählen</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Select one coordinate system, datum, vertex, edge, face or part first.</source>
-      <translation>Zuerst ein Koordinatensystem, Bezugselement, einen Punkt, eine Kante, Fläche oder ein Teil wählen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1094,9 +1104,14 @@
       <translation>Einstellungen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Shape</source>
       <translation>Form</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share of the variance, 0 to 1</source>
+      <translation>Anteil an der Varianz, 0 bis 1</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1222,6 +1237,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Taken as</source>
       <translation>Gilt als</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Takes part in the errors of the machine</source>
+      <translation>Wirkt an den Fehlern der Maschine mit</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -1354,6 +1374,11 @@
       <translation>Toleranz der gewählten Abweichungen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Tolerance of the selected errors, ± this value; Enter sets it</source>
+      <translation>Toleranz der gewählten Fehler, ± dieser Wert; Eingabetaste setzt ihn</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Tolerances</source>
       <translation>Toleranzen</translation>
@@ -1409,16 +1434,6 @@
       <translation>Ursachensuche zu {name}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tables.py" />
-      <source>Trace readings and add what was found first.</source>
-      <translation>Zuerst die Ursache der Messwerte suchen und das Gefundene hinzufügen.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>Trace the readings first.</source>
-      <translation>Zuerst die Ursache der Messwerte suchen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Travel</source>
       <translation>Verfahrweg</translation>
@@ -1459,11 +1474,6 @@
       <translation>Einheit, in der alle Winkel gezeigt werden</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/display.py" />
-      <source>Unit: 1 (share of the variance)</source>
-      <translation>Einheit: 1 (Anteil an der Varianz)</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Units</source>
       <translation>Einheiten</translation>
@@ -1492,11 +1502,6 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>Oben rechts</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>Use Machine from Selection.</source>
-      <translation>„Maschine aus Auswahl“ verwenden.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1644,7 +1649,12 @@
       <translation>Schreibt trace.json, report.html und die ergänzte Maschine</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Written to {folder}:</source>
+      <translation>Geschrieben nach {folder}:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
       <source>Written: {files}</source>
       <translation>Geschrieben: {files}</translation>
     </message>
@@ -1662,6 +1672,16 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Y carriage</source>
       <translation>Y-Schlitten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>Y: square of the orientation error of the tool</source>
+      <translation>Y: Quadrat des Orientierungsfehlers des Werkzeugs</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>Y: square of the position error of the tool</source>
+      <translation>Y: Quadrat des Positionsfehlers des Werkzeugs</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1769,6 +1789,11 @@
       <translation>angepasster Effekt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>en</source>
+      <translation>de</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>error along {axis}</source>
       <translation>Fehler in {axis}</translation>
@@ -1784,6 +1809,11 @@
       <translation>Fehler: Ist minus Soll</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>fails</source>
+      <translation>nicht eingehalten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>feed</source>
       <translation>Vorschub</translation>
@@ -1792,6 +1822,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>fixed value</source>
       <translation>fester Wert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/pointers.py" />
+      <source>for +{name} the table moves to −{name}</source>
+      <translation>für +{name} fährt der Tisch nach −{name}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1817,11 +1852,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>ignoriert</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_tables.py" />
-      <source>it has no fitted errors yet</source>
-      <translation>sie hat noch keine angepassten Abweichungen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -1854,11 +1884,6 @@
       <translation>Last</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_effect.py" />
-      <source>no effect is selected</source>
-      <translation>kein Effekt ist gewählt</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>no index</source>
       <translation>kein Index</translation>
@@ -1867,11 +1892,6 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>normal (Grenzen ±3σ)</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>nothing has been traced yet</source>
-      <translation>noch keine Ursache wurde gesucht</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1887,6 +1907,11 @@
       <location filename="../../sensworkbench/gui/display.py" />
       <source>one position</source>
       <translation>eine Stellung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>passes</source>
+      <translation>eingehalten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1994,16 +2019,6 @@
       <translation>dem Bett (kein Schieber)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>the document has no 3D view</source>
-      <translation>das Dokument hat keine 3D-Ansicht</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>the document holds no assembly</source>
-      <translation>das Dokument enthält keine Baugruppe</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the first part</source>
       <translation>das erste Teil</translation>
@@ -2012,11 +2027,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the parts</source>
       <translation>die Teile</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>the result is out of date</source>
-      <translation>das Ergebnis ist veraltet</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2029,34 +2039,14 @@
       <translation>des Werkzeugs gegenüber dem Werkstück</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
-      <source>the upper limit is below the lower limit</source>
-      <translation>die obere Grenze liegt unter der unteren</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>there are no parts in this document yet</source>
-      <translation>in diesem Dokument sind noch keine Teile</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>there are no readings yet</source>
-      <translation>es gibt noch keine Messwerte</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>there is no result yet</source>
-      <translation>es gibt noch kein Ergebnis</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>tilt of {body} about {axis}</source>
       <translation>Kippen von {body} um {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>tilts the direction of motion (ISO 230-1)</source>
-      <translation>neigt die Bewegungsrichtung (ISO 230-1)</translation>
+      <source>tilts the motion (ISO 230-1)</source>
+      <translation>neigt die Richtung (ISO)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2179,6 +2169,11 @@
       <translation>{file}: {rows} Messwerte an {points} Orten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>{folder} holds {files} already. Overwrite?</source>
+      <translation>{folder} enthält schon {files}. Überschreiben?</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. Bitte die Fragen oben beantworten.</translation>
@@ -2202,6 +2197,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>{n} Abweichungen eingelesen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>{n} rows copied</source>
+      <translation>{n} Zeilen kopiert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2239,6 +2239,11 @@
       <translation>{what} brach ab: {error}. Nichts wurde geändert. Einzelheiten stehen im Ausgabefenster.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>± 5 µm or 10 arcsec</source>
+      <translation>± 5 µm oder 10 arcsec</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>– please answer –</source>
       <translation>– bitte antworten –</translation>
@@ -2268,6 +2273,19 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit Machine…</source>
       <translation>Maschine bearbeiten…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Effect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Effect…</source>
+      <translation>Effekt…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Shows what an effect is, and whether it takes part in the errors</source>
+      <translation>Zeigt, was ein Effekt ist und ob er an den Fehlern mitwirkt</translation>
     </message>
   </context>
   <context>
@@ -2417,8 +2435,8 @@
     <name>Sens_OriginalColours</name>
     <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
-      <source>Gives every part the colours back that it had before</source>
-      <translation>Gibt jedem Teil seine früheren Farben zurück</translation>
+      <source>Gives every part the colours back that it had before, or shows those of the result again</source>
+      <translation>Gibt jedem Teil seine früheren Farben zurück oder zeigt wieder die des Ergebnisses</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/analysis.py" />

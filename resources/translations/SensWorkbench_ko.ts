@@ -45,8 +45,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
-      <source>Abbe offset {name}: {length} mm</source>
-      <translation>아베 오프셋 {name}: {length} mm</translation>
+      <source>Abbe offset {name}: {length}</source>
+      <translation>아베 오프셋 {name}: {length}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -67,6 +67,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>All axes to 0</source>
       <translation>모든 축을 0으로</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Allowed</source>
+      <translation>허용값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -234,16 +239,6 @@
       <translation>다시 계산</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>Compute the sensitivity again, then export.</source>
-      <translation>민감도를 다시 계산한 뒤 내보내십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>Compute the sensitivity first.</source>
-      <translation>먼저 민감도를 계산하십시오.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Computes the indices of the machine as it is now</source>
       <translation>현재 기계의 지수를 계산합니다</translation>
@@ -262,6 +257,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Condition</source>
       <translation>조건수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Copy</source>
+      <translation>복사</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -304,7 +304,7 @@
       <translation>분포</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Driver</source>
       <translation>구동 변수</translation>
     </message>
@@ -357,11 +357,6 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Errors</source>
       <translation>오차</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
-      <source>Exchange the two limits.</source>
-      <translation>두 한계를 서로 바꾸십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
@@ -464,6 +459,11 @@
       <translation>절반 표본에서 다시 발견</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <source>From 0 to 1, so that every machine has the same colours</source>
+      <translation>0에서 1까지, 모든 기계가 같은 색상을 갖도록 함</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>From 0 to just above the largest index</source>
       <translation>0부터 최대 지수 바로 위까지</translation>
@@ -487,6 +487,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Gives the selected errors the limits ± this value</source>
       <translation>선택한 오차의 한계를 ± 이 값으로 합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Greatest error that is allowed; what is tried passes or fails it</source>
+      <translation>허용되는 최대 오차. 시험한 값이 합격인지 불합격인지 표시합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -534,19 +539,9 @@
       <translation>표시 방법</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Import or draw the machine's parts first, or begin with Example Machine.</source>
-      <translation>먼저 기계 부품을 가져오거나 그리십시오. 또는 예제 기계로 시작하십시오.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Import readings</source>
       <translation>측정값 가져오기</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>Import readings first.</source>
-      <translation>먼저 측정값을 가져오십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -777,6 +772,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>한 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Open the folder</source>
+      <translation>폴더 열기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Open the report</source>
+      <translation>보고서 열기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1014,6 +1019,11 @@
       <translation>경쟁 후보</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Save as CSV…</source>
+      <translation>CSV로 저장…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Save mapping</source>
       <translation>열 지정 저장</translation>
@@ -1027,6 +1037,11 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>그림 저장</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>Save table</source>
+      <translation>표 저장</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -1052,11 +1067,6 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Select a coordinate system, vertex, edge or face at the tool's tip</source>
       <translation>공구 끝의 좌표계, 꼭짓점, 모서리 또는 면을 선택하십시오</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Select one coordinate system, datum, vertex, edge, face or part first.</source>
-      <translation>먼저 좌표계, 데이텀, 꼭짓점, 모서리, 면 또는 부품을 하나 선택하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1094,9 +1104,14 @@
       <translation>설정</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Shape</source>
       <translation>형태</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share of the variance, 0 to 1</source>
+      <translation>분산에서 차지하는 비율, 0~1</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1222,6 +1237,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Taken as</source>
       <translation>용도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Takes part in the errors of the machine</source>
+      <translation>기계 오차에 포함</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -1354,6 +1374,11 @@
       <translation>선택한 오차의 공차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Tolerance of the selected errors, ± this value; Enter sets it</source>
+      <translation>선택한 오차의 공차, ± 이 값. Enter 키로 적용</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Tolerances</source>
       <translation>공차</translation>
@@ -1409,16 +1434,6 @@
       <translation>{name} 추적</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tables.py" />
-      <source>Trace readings and add what was found first.</source>
-      <translation>먼저 측정값을 추적하고 찾은 효과를 추가하십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>Trace the readings first.</source>
-      <translation>먼저 측정값을 추적하십시오.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Travel</source>
       <translation>이송 범위</translation>
@@ -1459,11 +1474,6 @@
       <translation>모든 각도를 표시하는 단위</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/display.py" />
-      <source>Unit: 1 (share of the variance)</source>
-      <translation>단위: 1 (분산의 비율)</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Units</source>
       <translation>단위</translation>
@@ -1492,11 +1502,6 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Upper right</source>
       <translation>오른쪽 위</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>Use Machine from Selection.</source>
-      <translation>'선택에서 기계 만들기'를 사용하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1644,7 +1649,12 @@
       <translation>trace.json, report.html과 확장된 기계를 저장합니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>Written to {folder}:</source>
+      <translation>{folder}에 기록됨:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
       <source>Written: {files}</source>
       <translation>저장됨: {files}</translation>
     </message>
@@ -1662,6 +1672,16 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Y carriage</source>
       <translation>Y 이송체</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>Y: square of the orientation error of the tool</source>
+      <translation>Y: 공구 자세 오차의 제곱</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/texts.py" />
+      <source>Y: square of the position error of the tool</source>
+      <translation>Y: 공구 위치 오차의 제곱</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1769,6 +1789,11 @@
       <translation>피팅된 효과</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>en</source>
+      <translation>ko</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>error along {axis}</source>
       <translation>{axis} 방향 오차</translation>
@@ -1784,6 +1809,11 @@
       <translation>오차: 실제값 − 지령값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>fails</source>
+      <translation>불합격</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>feed</source>
       <translation>이송 속도</translation>
@@ -1792,6 +1822,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>fixed value</source>
       <translation>고정값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/pointers.py" />
+      <source>for +{name} the table moves to −{name}</source>
+      <translation>+{name}일 때 테이블은 −{name} 방향으로 이동</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1817,11 +1852,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>무시</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_tables.py" />
-      <source>it has no fitted errors yet</source>
-      <translation>아직 맞춘 오차가 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/sources.py" />
@@ -1854,11 +1884,6 @@
       <translation>하중</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_effect.py" />
-      <source>no effect is selected</source>
-      <translation>선택된 효과가 없습니다</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>no index</source>
       <translation>지수 없음</translation>
@@ -1867,11 +1892,6 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>정규 (한계 ±3σ)</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>nothing has been traced yet</source>
-      <translation>아직 추적한 것이 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1887,6 +1907,11 @@
       <location filename="../../sensworkbench/gui/display.py" />
       <source>one position</source>
       <translation>한 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>passes</source>
+      <translation>합격</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1994,16 +2019,6 @@
       <translation>베드(슬라이더 없음)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>the document has no 3D view</source>
-      <translation>문서에 3D 화면이 없습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>the document holds no assembly</source>
-      <translation>문서에 조립체가 없습니다</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the first part</source>
       <translation>첫째 부품</translation>
@@ -2012,11 +2027,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the parts</source>
       <translation>부품</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>the result is out of date</source>
-      <translation>결과가 오래되었습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2029,34 +2039,14 @@
       <translation>공작물에 대한 공구</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_tolerances.py" />
-      <source>the upper limit is below the lower limit</source>
-      <translation>상한이 하한보다 작습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>there are no parts in this document yet</source>
-      <translation>이 문서에는 아직 부품이 없습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/current.py" />
-      <source>there are no readings yet</source>
-      <translation>아직 측정값이 없습니다</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/export.py" />
-      <source>there is no result yet</source>
-      <translation>아직 결과가 없습니다</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>tilt of {body} about {axis}</source>
       <translation>{axis} 둘레의 {body} 기울기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>tilts the direction of motion (ISO 230-1)</source>
-      <translation>운동 방향만 기울임 (ISO 230-1)</translation>
+      <source>tilts the motion (ISO 230-1)</source>
+      <translation>운동을 기울임 (ISO 230-1)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2179,6 +2169,11 @@
       <translation>{file}: {points}개 위치의 측정값 {rows}개</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/messages.py" />
+      <source>{folder} holds {files} already. Overwrite?</source>
+      <translation>{folder}에 이미 {files}이(가) 있습니다. 덮어쓰시겠습니까?</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. 위 질문에 답하십시오.</translation>
@@ -2202,6 +2197,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>오차 {n}개를 읽었습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/copying.py" />
+      <source>{n} rows copied</source>
+      <translation>{n}행을 복사했습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2239,6 +2239,11 @@
       <translation>{what}이(가) 중단되었습니다: {error}. 변경된 것은 없습니다. 자세한 내용은 보고서 창에 있습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>± 5 µm or 10 arcsec</source>
+      <translation>± 5 µm 또는 10 arcsec</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>– please answer –</source>
       <translation>– 답을 고르십시오 –</translation>
@@ -2268,6 +2273,19 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Edit Machine…</source>
       <translation>기계 편집…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Effect</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Effect…</source>
+      <translation>효과…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_effect.py" />
+      <source>Shows what an effect is, and whether it takes part in the errors</source>
+      <translation>효과의 내용과 오차에 포함되는지 여부를 표시합니다</translation>
     </message>
   </context>
   <context>
@@ -2417,8 +2435,8 @@
     <name>Sens_OriginalColours</name>
     <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
-      <source>Gives every part the colours back that it had before</source>
-      <translation>모든 부품에 이전 색상을 되돌려 줍니다</translation>
+      <source>Gives every part the colours back that it had before, or shows those of the result again</source>
+      <translation>모든 부품에 이전 색상을 되돌리거나 결과의 색상을 다시 표시합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/analysis.py" />

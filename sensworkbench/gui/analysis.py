@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ..core.refusal import Refused
 from ..document import factory
-from . import display, messages, review
+from . import display, messages, review, state
 from .colours import restore
 from .command import Command, Where, command
 from .current import current_machine
@@ -24,6 +24,7 @@ class Sensitivity(Command):
 
     def run(self):
         machine = current_machine()
+        state.of(machine.Document).ranges.clear()  # the colours are taken anew
         if messages.change(
             machine.Document, translate("Sens", "Sensitivity"), lambda: display.compute_and_colour(machine)
         ):
@@ -69,18 +70,24 @@ class ErrorMap(Command):
 class OriginalColours(Command):
     name = "Sens_OriginalColours"
     menu_text = QT_TRANSLATE_NOOP("Sens_OriginalColours", "Original Colours")
-    tip = QT_TRANSLATE_NOOP("Sens_OriginalColours", "Gives every part the colours back that it had before")
-    needs, guide = "colours", "3. Sensitivity"
+    tip = QT_TRANSLATE_NOOP(
+        "Sens_OriginalColours",
+        "Gives every part the colours back that it had before, or shows those of the result again",
+    )
+    needs, guide = "result", "3. Sensitivity"
     where = Where("analysis", 50, tree=("Sensitivity",))
 
     def run(self):
         machine = current_machine()
         result = factory.sensitivity_of(machine)
-        if result is None or not result.Coloured:
-            raise Refused("its parts have their own colours already", machine.Label)
+        if result is None:
+            raise Refused("gui-no-result", machine.Label)
 
         def change():
-            restore(result)
+            if result.Coloured:
+                restore(result)
+            else:
+                result.Coloured = True
             display.update(result)
 
         messages.change(machine.Document, translate("Sens", "Original colours"), change)

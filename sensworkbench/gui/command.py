@@ -34,7 +34,6 @@ NEEDS = {
     "document": (lambda: App.ActiveDocument is not None, "a document"),
     "machine": (lambda: bool(current.machines()), "a machine"),
     "result": (lambda: bool(current.results()), "a computed result"),
-    "colours": (lambda: any(r.Coloured or r.OriginalColours for r in current.results()), "a result that is shown"),
     "readings": (lambda: bool(current.tables()), "readings"),
     "trace": (lambda: bool(current.traces()), "a trace"),
     "effects found": (lambda: any(closed_loop.can_add(t) for t in current.traces()), "a trace that named an effect"),

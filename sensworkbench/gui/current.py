@@ -9,7 +9,6 @@ import FreeCADGui as Gui
 from ..core.refusal import Refused
 from ..document import closed_loop, factory
 from ..document.base import kind_of
-from .qt import translate
 
 
 def machines() -> list:
@@ -57,10 +56,7 @@ def current_table():
     if chosen is None:
         found = closed_loop.readings_of(current_machine())
         if not found:
-            raise Refused(
-                translate("Sens", "there are no readings yet"), current_machine().Label,
-                translate("Sens", "Import readings first."),
-            )  # fmt: skip
+            raise Refused("gui-no-readings", current_machine().Label)
         chosen = found[-1]
     return chosen
 
@@ -73,9 +69,6 @@ def current_trace():
     if chosen is None:
         found = closed_loop.traces_of(current_machine())
         if not found:
-            raise Refused(
-                translate("Sens", "nothing has been traced yet"), current_machine().Label,
-                translate("Sens", "Trace the readings first."),
-            )  # fmt: skip
+            raise Refused("gui-no-trace", current_machine().Label)
         chosen = found[-1]
     return chosen

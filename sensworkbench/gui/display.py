@@ -11,10 +11,10 @@ from pivy import coin
 from ..core.refusal import Refused
 from ..document import factory
 from ..document.base import alive, kind_of
-from . import colours, live
+from . import colours, live, state
 from .colormap import Scale, automatic
 from .legend import LegendText
-from .looks import COLOUR_BY, VIEW_PROPERTIES
+from .looks import COLOUR_BY, CORNERS, VIEW_PROPERTIES
 from .qt import translate
 from .texts import body_name, objective_text, position_words, positions_text, square_text
 
@@ -35,8 +35,24 @@ def scale(result) -> Scale:
     """The range of colours: as set by hand, else from 0 to just above the largest value."""
     view = result.ViewObject
     if view.AutomaticRange:
-        return automatic(values(result).values(), view.ColourMap)
+        return lasting(result, values(result).values())
     return Scale(float(view.RangeLower), float(view.RangeUpper), view.ColourMap)
+
+
+def lasting(result, shown) -> Scale:
+    """The automatic range for some values.  It stays while they fill it, so that colours can be compared.
+
+    A new computation of the result (`compute_and_colour`) takes it anew.
+    """
+    shown = [v for v in shown if v is not None]
+    found, ranges = automatic(shown, result.ViewObject.ColourMap), state.of(result.Document).ranges
+    kept, largest = ranges.get(result.Name), max(shown, default=0.0)
+    if kept is None or not FILLED * kept <= largest <= kept:
+        kept = ranges[result.Name] = found.upper
+    return Scale(0.0, kept, found.name)
+
+
+FILLED = 0.4  # the part of the range below which the largest value would be hard to see
 
 
 def title(result) -> str:
@@ -52,7 +68,7 @@ def title(result) -> str:
 def legend_text(machine, result) -> LegendText:
     """Return the lines of the legend: title, unit, positions, objective and convention."""
     lines = [
-        translate("Sens", "Unit: 1 (share of the variance)"),
+        translate("Sens", "Share of the variance, 0 to 1"),
         positions_text(result),
         objective_text(result),
         square_text(result),
@@ -69,7 +85,7 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
     """The legend while the colours are those of one position."""
     where = position_words({name: f"{value:.1f}" for name, value in position.items()})
     marks = tuple((body_name(machine, b), v) for b, v in totals.items())
-    lines = (translate("Sens", "Unit: 1 (share of the variance)"), where)
+    lines = (translate("Sens", "Share of the variance, 0 to 1"), where)
     head = translate("Sens", "Total index Sᵀ of the component")
     note = translate("Sens", "one position")
     return LegendText(head, "", "\n".join(lines), translate("Sens", "no index"), marks, "Sᵀ", note)
@@ -108,12 +124,20 @@ def show_map(machine, result, at: float | None = None) -> None:
     if not view.ShowErrorMap:
         drawn.hide()
         return
-    corner = "Upper left" if view.LegendCorner == "Lower left" else "Lower left"
+    taken = {view.LegendCorner, *(key_corner(o) for o in result.Document.Objects)}
+    corner = next((c for c in reversed(CORNERS) if c not in taken), "Lower right")
+    colour_map = next(m for m in ("magma", "cividis") if m != view.ColourMap)  # its colours mean something else
     at = view.ErrorMapAt.Value if at is None else at
     try:
-        drawn.show(machine, view.ColourMap, corner, view.ErrorMapShows, view.ErrorMapAs, at)
+        drawn.show(machine, colour_map, corner, view.ErrorMapShows, view.ErrorMapAs, at)
     except Refused:
         drawn.hide()
+
+
+def key_corner(obj) -> str:
+    """The corner in which a trace shows the key of its residuals, "" where it shows none."""
+    view = obj.ViewObject if kind_of(obj) == "Trace" else None
+    return view.KeyCorner if getattr(view, "ShowResiduals", "Off") != "Off" else ""
 
 
 def ask_for_frame() -> None:

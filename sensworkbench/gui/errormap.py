@@ -3,7 +3,7 @@
 
 Each point is drawn where the tool point is relative to the workpiece at that position.  Its colour is the root of the
 mean square, √E[Y], or the upper estimate √(E[Y] + 2 √V(Y)): Y two of its standard deviations above its mean.
-The legend runs from the smallest to the largest value shown.
+The legend runs from the smallest to the largest value of the workspace, for slices too.
 """
 
 from __future__ import annotations
@@ -80,7 +80,8 @@ class ErrorMap:
         self.root.addChild(group)
         self.legend = Legend()
         self.root.addChild(self.legend.root)
-        self._key = None
+        self._key = self._whole = None
+        self._ends = (0.0, 0.0)
 
     @property
     def shown(self) -> bool:
@@ -101,6 +102,10 @@ class ErrorMap:
             if form != POINTS:
                 at = float(q[0, core.names.index(form[-1])])
             value = map_errors(core, objective, q, upper=what == WORST)
+            whole = (key[:-4], what)
+            if whole != self._whole:  # one scale for the workspace: a slice that moves can be compared with the last
+                self._whole, everywhere = whole, map_errors(core, objective, positions(core), upper=what == WORST)
+                self._ends = float(everywhere.min()), float(everywhere.max())
             self._fill(places(core, q), value, objective, colour_map, what, form, at)
             self._key = key if machine.Inputs else None
         self._switch.whichChild = 0
@@ -109,7 +114,8 @@ class ErrorMap:
     def _fill(self, where, value, objective, colour_map, what, form, at) -> None:
         unit, factor = shown_unit(objective.output)
         value = value * factor
-        self._scale = scale = Scale(float(value.min()), float(value.max()), colour_map)
+        low, high = (end * factor for end in self._ends)
+        self._scale = scale = Scale(min(low, float(value.min())), max(high, float(value.max())), colour_map)
         colours = [scale.colour(v) for v in value.tolist()]
         self._coordinates.point.setNum(len(where))
         self._coordinates.point.setValues(0, len(where), [tuple(p) for p in where.tolist()])

@@ -18,6 +18,7 @@ from .current import current_machine
 from .qt import QT_TRANSLATE_NOOP, pump, translate
 
 PICTURE = "view.png"
+FILES = ("report.html", "sensitivity.json", "sensitivity.csv", PICTURE)
 
 
 def view_of(doc):
@@ -68,16 +69,9 @@ def export(machine, folder) -> list[Path]:
     """Write report.html, sensitivity.json, sensitivity.csv and view.png; returns their paths."""
     result = factory.sensitivity_of(machine)
     if result is None or not result.Symbols:
-        raise Refused(
-            translate("Sens", "there is no result yet"),
-            machine.Label,
-            translate("Sens", "Compute the sensitivity first."),
-        )
+        raise Refused("gui-no-result", machine.Label)
     if result.Stale:
-        raise Refused(
-            translate("Sens", "the result is out of date"), result.Label,
-            translate("Sens", "Compute the sensitivity again, then export."),
-        )  # fmt: skip
+        raise Refused("gui-result-stale", result.Label)
     core = extract.core_machine(machine)
     png = picture(machine.Document)
     study = completed(core, results.load(machine, result))
@@ -90,9 +84,8 @@ def export(machine, folder) -> list[Path]:
 def ask_and_export(machine) -> None:
     """Ask for a folder and write the report of a machine's result to it."""
     folder = messages.ask_folder(translate("Sens", "Folder for the report"))
-    if folder:
-        paths = export(machine, folder)
-        messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+    if folder and messages.may_write(folder, FILES):
+        messages.written(export(machine, folder))
 
 
 def save_picture(doc) -> None:
@@ -103,7 +96,7 @@ def save_picture(doc) -> None:
 
         content = picture(doc)
         if content is None:
-            raise Refused(translate("Sens", "the document has no 3D view"), doc.Label)
+            raise Refused("gui-no-view", doc.Label)
         write_bytes(path, content)
         messages.status(translate("Sens", "Written: {files}").format(files=path))
 

@@ -6,16 +6,8 @@ Traces of earlier versions have no codes; their English sentences are shown as t
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
-
 from ..formats import trace_json
-
-
-def language() -> str:
-    """The language of the window as a code of `messages`: "en", "de", "ko", or another that falls back to English."""
-    if not hasattr(Gui, "getLocale"):
-        return "en"
-    return Gui.supportedLocales().get(Gui.getLocale(), "en")[:2]
+from .messages import language
 
 
 def said(data, key: str) -> str:

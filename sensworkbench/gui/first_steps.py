@@ -6,7 +6,6 @@ It is gone as soon as there is a machine, for on newer versions Tasks lie over t
 
 from __future__ import annotations
 
-import FreeCAD as App
 import FreeCADGui as Gui
 
 from . import messages
@@ -25,7 +24,7 @@ class Begin:
         self.commands = list(self.commands)
 
     def shouldShow(self) -> bool:
-        return App.ActiveDocument is not None and not machines()
+        return not machines()
 
 
 def show() -> None:

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import traceback
 from contextlib import contextmanager
+from pathlib import Path
 
 import FreeCAD as App
 
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from .qt import Qt, QtGui, main_window, translate, usual_cursor
+from .qt import Qt, QtCore, QtGui, main_window, run, translate, usual_cursor
 
 
 def show(text: str, title: str = "Sens Workbench"):
@@ -23,9 +24,19 @@ def show(text: str, title: str = "Sens Workbench"):
     return box
 
 
+def language() -> str:
+    """The language that the labels of the window are in, as the tables of messages name it."""
+    return translate("Sens", "en")  # "de" in the German table, "ko" in the Korean one
+
+
+def words(found) -> str:
+    """A refusal or message in the language of the window."""
+    return found.text(language())
+
+
 def refused(error: Refused, doc):
     """Show a refusal; where the document is damaged, with the command that mends it."""
-    return show(error.message + repair_hint(doc))
+    return show(words(error) + repair_hint(doc))
 
 
 def log(error: BaseException) -> None:
@@ -103,6 +114,39 @@ def ask_save(title: str, kinds: str, name: str) -> str:
     """Path of a file to write, or ""."""
     with usual_cursor():
         return QtGui.QFileDialog.getSaveFileName(main_window(), title, name, kinds)[0]
+
+
+def may_write(folder, names) -> bool:
+    """True where none of the files is there yet, or the user lets them be overwritten."""
+    there = [n for n in names if (Path(folder) / n).exists()]
+    if not there:
+        return True
+    text = translate("Sens", "{folder} holds {files} already. Overwrite?").format(folder=folder, files=", ".join(there))
+    buttons = QtGui.QMessageBox.Yes | QtGui.QMessageBox.No
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Question, "Sens Workbench", text, buttons, main_window())
+    box.setObjectName("SensOverwrite")
+    box.setTextFormat(Qt.PlainText)
+    with usual_cursor():
+        return run(box) == QtGui.QMessageBox.Yes
+
+
+def written(paths) -> None:
+    """Say what was written, in the status bar and in a message that opens a page or the folder."""
+    paths = [Path(p) for p in paths]
+    status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+    if not paths:
+        return
+    page = next((p for p in paths if p.suffix == ".html"), paths[0].parent)
+    lines = [translate("Sens", "Written to {folder}:").format(folder=paths[0].parent), *(p.name for p in paths)]
+    box = QtGui.QMessageBox(QtGui.QMessageBox.Information, "Sens Workbench", "\n".join(lines),
+                            QtGui.QMessageBox.Close, main_window())  # fmt: skip
+    box.setObjectName("SensWritten")
+    box.setTextFormat(Qt.PlainText)
+    box.setAttribute(Qt.WA_DeleteOnClose)
+    words = translate("Sens", "Open the report") if page.suffix else translate("Sens", "Open the folder")
+    open_it = box.addButton(words, QtGui.QMessageBox.ActionRole)
+    open_it.clicked.connect(lambda *_: QtGui.QDesktopServices.openUrl(QtCore.QUrl.fromLocalFile(str(page))))
+    box.open()
 
 
 def ask_folder(title: str) -> str:

@@ -13,8 +13,9 @@ import FreeCADGui as Gui
 from . import state
 from .files import icon_path
 from .guide import HelpKey
-from .qt import Qt, QtGui, buttons, later, main_window
+from .qt import Qt, QtCore, QtGui, buttons, later, main_window
 
+MARGIN = 14  # pixels of FreeCAD's frame below a panel
 NARROWEST, WIDEST = 320, 480  # pixels for a panel beside the 3D view, unless its own form asks for less
 
 
@@ -22,13 +23,15 @@ class Panel:
     """Base of the task panels.
 
     standard : names of its buttons.  holds_transaction : it works inside an open one.  guide : the section of the guide
-    that F1 shows.
+    that F1 shows.  grows : the table or text that takes the height that the other controls leave; `tallest` : its
+    greatest useful height in pixels.
     """
 
     guide = ""
     standard = ("Ok", "Cancel")
     holds_transaction = False
-    form = None
+    form = grows = None
+    tallest = 900
 
     def make_form(self, name: str, title: str, icon: str):
         """The panel's empty widget."""
@@ -61,6 +64,59 @@ def show(panel, doc) -> None:
     Gui.Control.showDialog(panel)
     state.of(doc).panel = panel
     make_wide(panel.form)
+    area = scroll_area(panel.form)
+    if panel.grows is not None and area is not None:
+        Filler(area, panel.form, panel.grows, panel.tallest)
+
+
+def rows(parent=None):
+    """A form of labelled rows, no wider than it must be: a field too long for its label's line stands below it."""
+    form = QtGui.QFormLayout(parent) if parent is not None else QtGui.QFormLayout()
+    form.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
+    form.setFieldGrowthPolicy(QtGui.QFormLayout.AllNonFixedFieldsGrow)
+    return form
+
+
+def scroll_area(form):
+    """The scroll area in which FreeCAD shows a panel, or None."""
+    widget = form.parentWidget()
+    while widget is not None and not isinstance(widget, QtGui.QScrollArea):
+        widget = widget.parentWidget()
+    return widget
+
+
+class Filler(QtCore.QObject):
+    """Keeps one widget of a panel as high as leaves everything else in view, and never lower than it can be used."""
+
+    LOWEST = 150
+
+    def __init__(self, area, form, widget, tallest: int):
+        super().__init__(form)
+        self.area, self.form, self.widget, self.tallest = area, form, widget, tallest
+        area.viewport().installEventFilter(self)
+        form.installEventFilter(self)
+        later(self.fit)
+
+    def eventFilter(self, watched, event):
+        if event.type() in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
+            later(self.fit)
+        return False
+
+    def fit(self) -> None:
+        """Give the widget what the viewport has left beside FreeCAD's header and the panel's other controls."""
+        try:
+            content, layout = self.area.widget(), self.form.layout()
+            fixed = self.widget.minimumHeight() == self.widget.maximumHeight()
+            own = self.widget.height() if fixed else self.widget.sizeHint().height()
+            others = layout.totalHeightForWidth(self.form.width()) if layout.hasHeightForWidth() else -1
+            others = (others if others > 0 else layout.totalSizeHint().height()) - own
+            header = self.form.mapTo(content, self.form.rect().topLeft()).y()
+            room = self.area.viewport().height() - header - others - MARGIN
+            height = min(max(room, self.LOWEST), self.tallest)
+            if others >= 0 and (height != own or not fixed):
+                self.widget.setFixedHeight(height)
+        except RuntimeError:  # the panel is gone
+            return
 
 
 def make_wide(form) -> None:

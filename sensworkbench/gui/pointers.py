@@ -14,7 +14,7 @@ from ..document.base import kind_of
 from . import state
 from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
 from .qt import translate
-from .texts import body_name
+from .texts import body_name, length, point_text
 
 UP = App.Vector(-1, 1, 2)  # upwards on the screen in the isometric view
 OTHER_COLOUR = (0.45, 0.40, 0.15)  # of axes of other names
@@ -48,6 +48,8 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             a = start + obj.Direction * (sign * (low - here))
             b = start + obj.Direction * (sign * (high - here))
             text = translate("Sens", "{name}: {low} … {high} mm").format(name=name, low=f"{low:g}", high=f"{high:g}")
+            if sign < 0:  # the carriage of a workpiece goes the other way than the tool on it
+                text += "\n" + translate("Sens", "for +{name} the table moves to −{name}").format(name=body)
             higher = 1.0 if (b - a).dot(UP) >= 0 else 0.0  # that of the reference point stands below it
             found.append(Arrow(tuple(a), tuple(b), colour, text, higher))
         text = translate("Sens", "Reference {name}").format(name=name)
@@ -56,11 +58,11 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             continue
         found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text if detail else "", below=True))
         local = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"]
-        words = translate("Sens", "Abbe offset {name}: {length} mm").format(name=name, length=f"{offset.Length:.1f}")
+        words = translate("Sens", "Abbe offset {name}: {length}").format(name=name, length=length(offset.Length))
         if detail:
-            words += "\n" + "   ".join(f"{k.lower()} {v:.1f}" for k, v in zip("XYZ", local))
+            words += "\n" + point_text(local)
         else:
-            words = f"{name}: {offset.Length:.1f} mm"
+            words = f"{name}: {length(offset.Length)}"
         found.append(Arrow(tuple(start), tuple(start + offset), OFFSET_COLOUR, words, 0.5))
     return found
 
@@ -86,7 +88,7 @@ def tool_mark(machine) -> list[Arrow]:
         return []
     if point is None:
         return []
-    text = translate("Sens", "Tool point") + f"\nx {point.x:.1f}   y {point.y:.1f}   z {point.z:.1f} mm"
+    text = translate("Sens", "Tool point") + "\n" + point_text(point)
     return [Arrow(tuple(point), tuple(point), TOOL_COLOUR, text, below=True)]
 
 

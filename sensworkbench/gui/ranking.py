@@ -8,10 +8,14 @@ from collections import Counter
 from ..document.refresh import components
 from . import display
 from .bars import BAR, BarDelegate, qcolour
+from .copying import copyable
 from .qt import Qt, QtGui, Signal, translate
-from .texts import body_name, distribution_name, error_meaning, limits
+from .texts import body_name, distribution_name, limits, meaning, short_name
 
 RANK, ERROR, TOTAL, FIRST, TOLERANCE, OWNER, MEANING = range(7)
+
+
+WIDEST = {ERROR: 90, MEANING: 130, OWNER: 110, TOLERANCE: 80}  # pixels; the tool tip says the rest
 
 
 class _Item(QtGui.QTreeWidgetItem):
@@ -45,6 +49,7 @@ def _rows(machine, result) -> dict[tuple[str, int], list]:
     Only traced effects can share a name.
     """
     scale, shown, known = display.scale(result), display.values(result), components(machine)
+    named = {s: (short_name(machine, s), meaning(machine, s, known)) for s in dict.fromkeys(result.Symbols)}
     largest = max(result.Total, default=0.0)
     owners = {o: (body_name(machine, o), tuple(scale.colour(shown.get(o)))) for o in dict.fromkeys(result.Owners)}
     errors = sorted(
@@ -56,8 +61,9 @@ def _rows(machine, result) -> dict[tuple[str, int], list]:
     for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(errors, start=1):
         name, colour = owners[owner]
         tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
-        texts = (str(rank), symbol, "", f"{first:.4f}", tolerance, name, error_meaning(symbol, known))
+        texts = (str(rank), named[symbol][0], "", f"{first:.4f}", tolerance, name, named[symbol][1])
         tips = [*texts]
+        tips[ERROR] = named[symbol][1]
         tips[TOLERANCE] += f", {distribution_name(law)}"
         values = [value for pair in zip(texts, tips) for value in pair]
         values += [float(rank), float(first), float(total), float(high - low)]
@@ -106,10 +112,10 @@ class Ranking(QtGui.QWidget):
         self.table.itemSelectionChanged.connect(self._selected)
         # what an error is stands beside its index: readable without scrolling in a narrow dock
         self.table.header().moveSection(self.table.header().visualIndex(MEANING), 3)
-        self.table.setContextMenuPolicy(Qt.ActionsContextMenu)
+        copyable(self.table, "ranking.csv")
         layout.addWidget(self.table)
         self._quiet = False
-        self._sized = False
+        self._sized: tuple = ()  # the rows that the columns were made to fit
         self._items, self._rows = {}, {}  # key of `_rows` -> the row in the table; what is written in its PLACES
 
     def show_result(self, machine, result) -> None:
@@ -122,12 +128,14 @@ class Ranking(QtGui.QWidget):
             self._update_rows(rows)
         self._rows = rows
         self._quiet = False
-        if result is not None and not self._sized:
-            self._sized = True
+        if result is not None and self._sized != tuple(rows):
+            self._sized = tuple(rows)
             for column in range(MEANING + 1):
                 self.table.resizeColumnToContents(column)
-            self.table.setColumnWidth(TOTAL, 112)
-            self.table.setColumnWidth(OWNER, min(110, self.table.columnWidth(OWNER)))
+            self.table.setColumnWidth(TOTAL, 104)
+            self.table.setColumnWidth(RANK, 36)
+            for column, most in WIDEST.items():
+                self.table.setColumnWidth(column, min(most, self.table.columnWidth(column)))
 
     def forget(self) -> None:
         """Take all rows away, and with them what was chosen."""
@@ -179,6 +187,17 @@ class Ranking(QtGui.QWidget):
     def _selected(self):
         if not self._quiet:
             self.chosen.emit(self.bodies())
+
+    def choose_error(self, symbol: str) -> None:
+        """Choose the rows of an error or effect, without emitting."""
+        self._quiet = True
+        self.table.clearSelection()
+        mine = [item for (name, _), item in self._items.items() if name == symbol]
+        for item in mine:
+            item.setSelected(True)
+        if mine:
+            self.table.scrollToItem(mine[0])
+        self._quiet = False
 
     def choose_body(self, body: str) -> None:
         """Choose all errors of a body, without emitting."""

@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.refusal import Refused
-from ..document import extract, factory
+from ..document import extract, factory, refresh
 from ..document.base import alive, kind_of
 from . import display, messages, pointers, state
 from .bars import ComponentBars
@@ -22,7 +22,7 @@ from .panel import overlaid
 from .qt import Qt, QtCore, QtGui, later, main_window, translate
 from .ranking import Ranking
 from .review_settings import Settings
-from .texts import body_name, mean_square_text, objective_text, positions_text
+from .texts import body_name, mean_square_text, objective_text, positions_text, short_name
 from .whatif import WhatIf
 
 NAME = "SensReview"
@@ -131,6 +131,7 @@ class Follow:
 
 class Review(QtGui.QDockWidget):
     """The dock of a machine's result: ranking, components, what-if and settings."""
+
     def __init__(self, parent):
         super().__init__(translate("Sens", "Sensitivity review"), parent)
         self.setObjectName(NAME)
@@ -166,6 +167,7 @@ class Review(QtGui.QDockWidget):
         HelpKey(self, "3. Sensitivity")
         self.ranking.chosen.connect(self.choose)
         self.bars.picked.connect(lambda b: self.choose([b]))
+        self.what_if.chosen.connect(self.choose)
         self._watch, self._follow = Watch(self), Follow(self)
         self._watching = False
 
@@ -206,7 +208,7 @@ class Review(QtGui.QDockWidget):
             try:
                 save_picture(self.machine.Document)
             except Refused as error:
-                messages.show(error.message)
+                messages.show(messages.words(error))
 
     # -- what is shown -----------------------------------------------------------------------------------------------
     @property
@@ -282,7 +284,7 @@ class Review(QtGui.QDockWidget):
             ask = translate("Sens", "No result yet: press <b>Compute again</b>.")
             return f"<b>{name}</b> · {machine.Structure}<br>{ask}"
         lines = [f"<b>{name}</b> · {result.Label} · {machine.Structure} · {_escape(mean_square_text(result))}"]
-        accuracy = f" (±{result.EstimatedError:.0e})" if result.EstimatedError >= 0 else ""
+        accuracy = f" (±{result.EstimatedError:.1g})" if result.EstimatedError > 1e-4 else ""
         lines.append(f"{_escape(positions_text(result))}{accuracy} · {_escape(objective_text(result))}")
         if result.WithoutExtent:
             words = translate("Sens", "No extent, not in the ranking: {effects}")
@@ -303,7 +305,7 @@ class Review(QtGui.QDockWidget):
                 pointers.point_at(machine, bodies)
                 self.bars.choose(bodies[0] if len(bodies) == 1 else "")
             except Refused as error:
-                messages.status(error.message)
+                messages.status(messages.words(error))
 
     def picked(self, document: str, name: str, sub: str) -> None:
         """A part, axis or effect was clicked: choose its errors here and draw its arrows."""
@@ -321,7 +323,11 @@ class Review(QtGui.QDockWidget):
         except Refused:
             return
         with state.quietly(machine.Document):
-            self.ranking.choose_body(body or "")
+            if kind == "Effect":  # its row, and what its body points at
+                body = refresh.components(machine)[obj.Component].body
+                self.ranking.choose_error(obj.Label)
+            else:
+                self.ranking.choose_body(body or "")
             self.bars.choose(body or "")
             pointers.show(machine, [body] if body else [])
 
@@ -369,7 +375,11 @@ def _blocks(machine, result):
     blocks = []
     for body, first, total in zip(result.Bodies, result.ComponentFirst, result.ComponentTotal):
         errors = sorted(
-            ((s, t) for s, o, t in zip(result.Symbols, result.Owners, result.Total) if o == body and t > 0),
+            (
+                (short_name(machine, s), t)
+                for s, o, t in zip(result.Symbols, result.Owners, result.Total)
+                if o == body and t > 0
+            ),
             key=lambda e: -e[1],
         )
         blocks.append((body, body_name(machine, body), first, total, scale.colour(shown.get(body)), errors))

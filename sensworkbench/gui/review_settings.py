@@ -78,7 +78,7 @@ class Settings(QtGui.QScrollArea):
         for box in self.at:
             at.addWidget(box, 1)
         self.squareness = combo([
-            ("direction", translate("Sens", "tilts the direction of motion (ISO 230-1)")),
+            ("direction", translate("Sens", "tilts the motion (ISO 230-1)")),
             ("carried", translate("Sens", "also turns what the guide carries")),
         ])  # fmt: skip
         rows.addRow(translate("Sens", "Output"), self.output)
@@ -110,6 +110,11 @@ class Settings(QtGui.QScrollArea):
         ends.addWidget(self.lower, 1)
         ends.addWidget(QtGui.QLabel("…"))
         ends.addWidget(self.upper, 1)
+        self.whole = QtGui.QToolButton()
+        self.whole.setText("0…1")
+        self.whole.setToolTip(translate("Sens", "From 0 to 1, so that every machine has the same colours"))
+        self.whole.clicked.connect(self.set_whole)
+        ends.addWidget(self.whole)
         self.legend = QtGui.QCheckBox(translate("Sens", "Show"))
         self.corner = combo(corner_choices())
         legend = QtGui.QHBoxLayout()
@@ -253,6 +258,19 @@ class Settings(QtGui.QScrollArea):
             display.compute_and_colour(machine)
 
         messages.change(machine.Document, translate("Sens", "Sensitivity"), change)
+
+    def set_whole(self, *_) -> None:
+        """Colours from 0 to 1, as one undo step."""
+        if self.result is None:
+            return
+        result, view = self.result, self.result.ViewObject
+
+        def change():
+            view.AutomaticRange, view.RangeLower, view.RangeUpper = False, 0.0, 1.0
+            display.update(result)
+
+        messages.change(result.Document, translate("Sens", "Look of the result"), change)
+        self.show_machine(self.machine, result)
 
     def _look_changed(self, name: str) -> None:
         if self._quiet or self.result is None:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from ..core.refusal import Refused
 from ..document import paths
+from . import messages
 from .qt import QtGui, translate
+from .texts import fixed
 
 
 class Source(QtGui.QWidget):
@@ -17,8 +19,9 @@ class Source(QtGui.QWidget):
         row.setContentsMargins(0, 0, 0, 0)
         self.text = QtGui.QLineEdit()
         self.text.setReadOnly(True)
-        self.text.setMinimumWidth(60)
-        self.take = QtGui.QPushButton(translate("Sens", "Take"))
+        self.text.setMinimumWidth(40)
+        self.take = QtGui.QToolButton()
+        self.take.setText(translate("Sens", "Take"))
         self.take.setToolTip(
             translate("Sens", "Takes the coordinate system, datum, edge, face or part that is selected")
         )
@@ -27,8 +30,8 @@ class Source(QtGui.QWidget):
         row.addWidget(self.take)
         self.reset = None
         if reset is not None:
-            self.reset = QtGui.QPushButton("↺")
-            self.reset.setMaximumWidth(28)
+            self.reset = QtGui.QToolButton()
+            self.reset.setText("↺")
             self.reset.setToolTip(translate("Sens", "Back to the default"))
             self.reset.clicked.connect(lambda *_: reset())
             row.addWidget(self.reset)
@@ -66,9 +69,9 @@ def source_words(source, otherwise: str = "") -> str:
     try:
         return found.label
     except Refused as error:
-        return error.message
+        return messages.words(error)
 
 
 def vector_words(v, digits: int) -> str:
     """Return a vector as text with this number of digits."""
-    return "(" + ", ".join(f"{x:.{digits}f}" for x in (v.x, v.y, v.z)) + ")"
+    return "(" + ", ".join(fixed(x, digits) for x in (v.x, v.y, v.z)) + ")"

@@ -16,12 +16,14 @@ class DocumentState:
 
     sizes : machine -> its extent in mm, to which arrows are matched.  answering : machines whose indices are about to
     be computed again.  adopting : the document is about to be taken over.  examined : it was looked at for damage.
+    ranges : result -> upper end of its automatic colours.
     quiet : above zero while the program itself selects, which chooses nothing.
     """
 
     reviewed: str = ""
     panel: object = None
     sizes: dict[str, float] = field(default_factory=dict)
+    ranges: dict[str, float] = field(default_factory=dict)
     answering: set[str] = field(default_factory=set)
     adopting: bool = False
     examined: bool = False

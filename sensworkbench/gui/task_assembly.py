@@ -11,13 +11,16 @@ import FreeCADGui as Gui
 
 from ..core.refusal import Refused
 from ..document import assembly as reader
-from ..document import geometry, joints, paths, tips
+from ..document import extract, geometry, joints, paths, tips
 from . import messages, settings
 from .command import Command, Where, command
 from .panel import Panel
+from .panel import rows as form_rows
 from .panel import show as show_panel
 from .preferences import combo
 from .qt import QT_TRANSLATE_NOOP, QtGui, translate
+from .sources import vector_words
+from .texts import point_text
 
 
 def found(doc) -> list:
@@ -35,15 +38,12 @@ class TaskAssembly(Panel):
     def __init__(self, doc, chosen=None):
         self.doc, self.assemblies = doc, found(doc)
         if not self.assemblies:
-            raise Refused(
-                translate("Sens", "the document holds no assembly"), doc.Label,
-                translate("Sens", "Use Machine from Selection."),
-            )  # fmt: skip
+            raise Refused("gui-no-assembly", doc.Label)
         self.tool_point, self.tip = None, None
         self.reading = None
         self.make_form("SensAssembly", translate("Sens", "Machine from assembly"), "Sens_MachineFromAssembly")
         page = QtGui.QVBoxLayout(self.form)
-        rows = QtGui.QFormLayout()
+        rows = form_rows()
         self.which = combo([(o.Name, o.Label) for o in self.assemblies])
         self.side = QtGui.QComboBox()
         self.side.setToolTip(translate("Sens", "The sliders between bed and tool; the others carry the workpiece"))
@@ -84,7 +84,7 @@ class TaskAssembly(Panel):
                 words = ", ".join(s.joint.object.Label for s in branch)
                 self.side.addItem(words or translate("Sens", "the bed (no slider)"))
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
         self.side.blockSignals(False)
         if self.reading is not None:
             self.show()
@@ -98,7 +98,7 @@ class TaskAssembly(Panel):
         lines = [translate("Sens", "Structure: {code}").format(code=code)]
         for slider in sorted(self.reading.sliders, key=lambda s: s.axis):
             u = joints.direction(slider.joint)
-            lines.append(f"{slider.axis}: {slider.joint.object.Label} ({u.x:.3g}, {u.y:.3g}, {u.z:.3g})")
+            lines.append(f"{slider.axis}: {slider.joint.object.Label} {vector_words(u, 3)}")
         if self.reading.left_out:
             names = ", ".join(p.label for p in self.reading.left_out)
             lines.append(translate("Sens", "Held by nothing, left out: {names}").format(names=names))
@@ -109,7 +109,7 @@ class TaskAssembly(Panel):
             return
         point = self.tip.point
         words = [" ".join(p for p in (where[0].Label, where[1].split(".")[-1]) if p)]
-        words.append(f"x {point.x:.2f}   y {point.y:.2f}   z {point.z:.2f} mm")
+        words.append(point_text(point, 2))
         if self.tip.moved:
             words.append(translate("Sens", "The middle of the far end was taken for the side."))
         if self.tip.beyond > 0.5:
@@ -132,7 +132,7 @@ class TaskAssembly(Panel):
         try:
             self.tip = tips.tip((picked[0].Object, subs[0] if subs else ""), self._carrier(picked[0]))
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
             return
         self.tool_point = (self.tip.link[0], self.tip.link[1][0])
         self.show()
@@ -159,12 +159,15 @@ class TaskAssembly(Panel):
         if self.reading is None:
             messages.show(self.note.text())
             return False
-        made = []
-        if not messages.change(self.doc, translate("Sens", "Machine from assembly"), lambda: made.append(self.make())):
+
+        def make():
+            machine = self.make()
+            self.doc.recompute()
+            extract.core_machine(machine)  # what is missing is refused: the panel stays, and the document as it was
+
+        if not messages.change(self.doc, translate("Sens", "Machine from assembly"), make):
             return False
         self.close()
-        if made[0].Problem:
-            messages.show(made[0].Problem)
         return True
 
 

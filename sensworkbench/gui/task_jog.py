@@ -12,15 +12,14 @@ from ..core import workspace
 from ..core.refusal import Refused
 from ..document import drive, extract, factory
 from ..document import jog as moving
-from . import colours, display, pointers
-from .colormap import automatic
+from . import colours, display, messages, pointers
 from .command import Command, Where, command
 from .current import current_machine
 from .panel import Panel
 from .panel import show as show_panel
 from .preferences import number_box
 from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, translate
-from .texts import body_name
+from .texts import body_name, fixed
 
 STEPS = 1000
 
@@ -55,7 +54,7 @@ class TaskJog(Panel):
         self.follow.setEnabled(result is not None and bool(result.Coloured))
         self.follow.toggled.connect(lambda *_: self._timer.start(0))
         layout.addWidget(self.follow)
-        self.table = self._table()
+        self.table = self.grows = self._table()
         layout.addWidget(self.table)
         self.note = QtGui.QLabel()
         self.note.setWordWrap(True)
@@ -105,7 +104,8 @@ class TaskJog(Panel):
         table.setSelectionBehavior(QtGui.QAbstractItemView.SelectRows)
         table.setAlternatingRowColors(True)
         table.verticalHeader().setDefaultSectionSize(22)
-        table.setMinimumHeight(24 * len(self.bodies) + 26)
+        table.setMinimumHeight(150)
+        self.tallest = 24 * len(self.bodies) + 40
         table.itemSelectionChanged.connect(self._point)
         return table
 
@@ -138,7 +138,7 @@ class TaskJog(Panel):
             self.document.recompute()
             self.note.setText("")
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
             self.position = extract.stands_at(self.machine)
         self._show()
 
@@ -152,7 +152,7 @@ class TaskJog(Panel):
             obj = factory.body_of(self.machine, body)
             values = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"] if obj is not None else [None] * 3
             length = obj.AbbeOffset.Length if obj is not None else None
-            texts = [body_name(self.machine, body)] + ["" if v is None else f"{v:.1f}" for v in (*values, length)]
+            texts = [body_name(self.machine, body)] + ["" if v is None else fixed(v, 1) for v in (*values, length)]
             texts.append(f"{totals[body]:.3f}" if body in totals else "–")
             for column, text in enumerate(texts):
                 item = self.table.item(i, column)
@@ -180,14 +180,14 @@ class TaskJog(Panel):
             where = workspace.at(self.core, [self.position[n] for n in self.names])
             found = workspace.sensitivity(self.core, where, extract.objective(self.machine), estimate=False)
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
             return {}
         totals = dict(zip(found.bodies, found.component_total.tolist()))
         result = factory.sensitivity_of(self.machine)
         if result is not None and result.Coloured:
             view = result.ViewObject
             if self.follow.isChecked():
-                scale = display.scale(result) if not view.AutomaticRange else automatic(totals.values(), view.ColourMap)
+                scale = display.scale(result) if not view.AutomaticRange else display.lasting(result, totals.values())
                 colours.apply(self.machine, result, totals, scale)
                 view.Proxy.legend.show(display.position_legend(self.machine, totals, self.position), scale,
                                        view.LegendCorner)  # fmt: skip

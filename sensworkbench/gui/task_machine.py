@@ -23,12 +23,13 @@ from . import messages, pointers, proposal, settings
 from .command import Command, Where, command
 from .current import current_machine
 from .panel import Panel
+from .panel import rows as form_rows
 from .panel import show as show_panel
 from .preferences import combo, number_box, read_field, write_field
 from .proposal_note import ProposalNote, watch
 from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .sources import Source, along_choices, reference_choices, source_words, vector_words
-from .texts import body_kind
+from .texts import body_kind, point_text
 
 MOST_LISTED = 4  # axes: of more the structures are too many for a list
 
@@ -51,7 +52,7 @@ def words_of(links) -> str:
     try:
         return ", ".join(w.label for w in paths.places(links))
     except Refused as error:
-        return error.message
+        return messages.words(error)
 
 
 class TaskMachine(Panel):
@@ -71,13 +72,13 @@ class TaskMachine(Panel):
         layout = QtGui.QVBoxLayout(self.form)
         self.guess = ProposalNote(proposed or proposal.Proposal())
         layout.addWidget(self.guess)
-        layout.addWidget(self._chains())
-        layout.addWidget(self._bodies())
-        layout.addWidget(self._page())
-        self.note = QtGui.QLabel()
+        self.note = QtGui.QLabel()  # at the top: what is missing is seen without scrolling
         self.note.setObjectName("SensNote")
         self.note.setWordWrap(True)
         layout.addWidget(self.note)
+        layout.addWidget(self._chains())
+        layout.addWidget(self._bodies())
+        layout.addWidget(self._page())
         layout.addStretch(1)
         self.show()
 
@@ -90,13 +91,13 @@ class TaskMachine(Panel):
     # -- parts of the panel ------------------------------------------------------------------------------------------
     def _chains(self):
         group = QtGui.QGroupBox(translate("Sens", "Structure (workpiece → tool, F: bed)"))
-        rows = QtGui.QFormLayout(group)
+        rows = form_rows(group)
         self.structure = combo([(code, code) for code in self._structures()])
         self.structure.setToolTip(translate("Sens", "XYFZ: table X on saddle Y; the spindle moves along Z"))
         self.structure.currentIndexChanged.connect(self._structure_changed)
         self.chain_words = QtGui.QLabel()
         self.squareness = combo([
-            ("direction", translate("Sens", "tilts the direction of motion (ISO 230-1)")),
+            ("direction", translate("Sens", "tilts the motion (ISO 230-1)")),
             ("carried", translate("Sens", "also turns what the guide carries")),
         ])  # fmt: skip
         self.squareness.currentIndexChanged.connect(lambda *_: self._set("Squareness", read_field(self.squareness)))
@@ -121,27 +122,31 @@ class TaskMachine(Panel):
         for body in self.bodies:
             item = QtGui.QTreeWidgetItem(self.table, [body_kind(body), ""])
             item.setData(0, Qt.UserRole, body)
-        self.table.setMinimumHeight(24 * len(self.bodies) + 28)
-        self.table.setMaximumHeight(26 * len(self.bodies) + 34)
+        rows = len(self.bodies) * max(18, self.table.sizeHintForRow(0))
+        self.table.setFixedHeight(rows + self.table.header().sizeHint().height() + 2 * self.table.frameWidth() + 4)
         self.table.resizeColumnToContents(0)
         self.table.currentItemChanged.connect(self._body_chosen)
         return self.table
 
     def _page(self):
         self.page = QtGui.QGroupBox()
-        rows = QtGui.QFormLayout(self.page)
-        self.take = QtGui.QPushButton(translate("Sens", "Take selection"))
+        rows = form_rows(self.page)
+        self.take = QtGui.QToolButton()
+        self.take.setText(translate("Sens", "Take selection"))
         self.take.setToolTip(translate("Sens", "The parts selected in the view or the tree become this component"))
         self.take.clicked.connect(self.take_parts)
-        self.add = QtGui.QPushButton(translate("Sens", "Add"))
+        self.add = QtGui.QToolButton()
+        self.add.setText(translate("Sens", "Add"))
         self.add.setToolTip(translate("Sens", "Adds the selected parts"))
         self.add.clicked.connect(lambda *_: self.take_parts(keep=True))
-        self.clear = QtGui.QPushButton(translate("Sens", "Clear"))
+        self.clear = QtGui.QToolButton()
+        self.clear.setText(translate("Sens", "Clear"))
         self.clear.clicked.connect(lambda *_: self.set_parts([]))
         row = QtGui.QHBoxLayout()
         for button in (self.take, self.add, self.clear):
-            button.setMinimumWidth(20)
+            button.setSizePolicy(QtGui.QSizePolicy.Minimum, QtGui.QSizePolicy.Fixed)
             row.addWidget(button)
+        row.addStretch(1)
         rows.addRow(translate("Sens", "Parts"), row)
         self.direction = Source(self._take_direction, lambda: self._set_source("DirectionSource", None))
         self.along = combo(list(zip(DIRECTION_CHOICES, along_choices())))
@@ -163,7 +168,7 @@ class TaskMachine(Panel):
         rows.addRow("", self.at)
         self.lower, self.upper = (number_box(-1e6, 1e6, 3, 10, " mm") for _ in range(2))
         for box in (self.lower, self.upper):
-            box.setMinimumWidth(70)
+            box.setMinimumWidth(60)
         for box, name in ((self.lower, "TravelLower"), (self.upper, "TravelUpper")):
             box.setKeyboardTracking(False)
             box.valueChanged.connect(lambda v, n=name: self._set_on_body(n, float(v)))
@@ -239,6 +244,7 @@ class TaskMachine(Panel):
             self.found.setText(self._found_words(owner))
             self.note.setText(machine.Problem or self._skew_words())
             self.note.setStyleSheet("color: #c0392b" if machine.Problem else "")
+            self.note.setVisible(bool(self.note.text()))
         finally:
             self._quiet = False
         pointers.forget(machine)
@@ -282,7 +288,8 @@ class TaskMachine(Panel):
             function()
         except Refused as error:
             self.show()
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
+            self.note.setVisible(True)
             return
         self.show()
 
@@ -309,11 +316,13 @@ class TaskMachine(Panel):
         chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
         if not chosen:
             self.note.setText(translate("Sens", "Select one or more parts in the view or the tree first."))
+            self.note.setVisible(True)
             return
         self.set_parts(([*self.links(self.body)] if keep else []) + chosen)
 
     def set_parts(self, links) -> None:
         """Make these links the parts of the chosen body."""
+
         def change():
             value = paths.as_links(links)
             self.guess.drop(self.body, "Parts")
@@ -328,7 +337,7 @@ class TaskMachine(Panel):
     def _one(self):
         chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
         if len(chosen) != 1:
-            raise Refused(translate("Sens", "Select one coordinate system, datum, vertex, edge, face or part first."))
+            raise Refused("gui-select-one-geometry")
         return paths.as_sub(chosen[0])
 
     def _take_tool_point(self):
@@ -353,8 +362,8 @@ class TaskMachine(Panel):
             found = tips.tip(self.machine.ToolPoint, *self._tool())
             where, _ = geometry.point(paths.place(self.machine.ToolPoint), "Automatic")
         except Refused as error:
-            return error.message
-        lines = [f"x {where.x:.2f}   y {where.y:.2f}   z {where.z:.2f} mm"]
+            return messages.words(error)
+        lines = [point_text(where, 2)]
         if self.end_of:
             lines.append(translate("Sens", "The middle of the far end was taken for the side."))
         if found.moved:  # of a file from before the end was taken
@@ -420,10 +429,7 @@ def new_machine(doc):
     Refuses a document without parts.
     """
     if not proposal.selected_links() and not proposal.candidates(doc):
-        raise Refused(
-            translate("Sens", "there are no parts in this document yet"), doc.Label,
-            translate("Sens", "Import or draw the machine's parts first, or begin with Example Machine."),
-        )  # fmt: skip
+        raise Refused("gui-no-parts", doc.Label)
     doc.openTransaction(translate("Sens", "Machine from selection"))
     try:
         with watch() as progress:

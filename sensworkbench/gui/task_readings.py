@@ -18,6 +18,7 @@ from . import messages
 from .command import Command, Where, command
 from .current import current_machine
 from .panel import Panel
+from .panel import rows as form_rows
 from .panel import show as show_panel
 from .preferences import combo, number_box
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
@@ -46,7 +47,7 @@ class TaskReadings(Panel):
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(QtGui.QLabel(translate("Sens", "What each column of the table is:")))
         self.columns = self._columns()
-        layout.addWidget(self.columns, 2)
+        layout.addWidget(self.columns)
         layout.addWidget(self._constants())
         layout.addWidget(self._questions())
         self.note = QtGui.QLabel()
@@ -57,8 +58,8 @@ class TaskReadings(Panel):
         self.findings = QtGui.QListWidget()
         self.findings.setObjectName("SensFindings")
         self.findings.setWordWrap(True)
-        self.findings.setMinimumHeight(90)
-        layout.addWidget(self.findings, 1)
+        self.findings.setFixedHeight(72)
+        layout.addWidget(self.findings)
         self.save = QtGui.QPushButton(translate("Sens", "Save mapping…"))
         self.save.setToolTip(translate("Sens", "Writes these choices to a file for the command line's --mapping"))
         self.save.clicked.connect(self.save_mapping)
@@ -80,7 +81,10 @@ class TaskReadings(Panel):
         table.verticalHeader().setDefaultSectionSize(26)
         table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
         table.setSelectionMode(QtGui.QAbstractItemView.NoSelection)
-        table.setMinimumHeight(160)
+        table.setMinimumHeight(150)
+        table.setHorizontalScrollMode(QtGui.QAbstractItemView.ScrollPerPixel)
+        # the themes of FreeCAD give a combo box wide margins, which leave no room for its text in a cell
+        table.setStyleSheet("QComboBox { padding: 0px 2px; margin: 0px; min-width: 0px; border-width: 0px; }")
         self.uses, self.units = [], []
         for row, (written, found) in enumerate(zip(self.table.names, self.guesses)):
             cells = self.table.cells[row][:5]
@@ -99,16 +103,21 @@ class TaskReadings(Panel):
             table.setCellWidget(row, USE, use)
             table.setCellWidget(row, UNIT, unit)
         table.resizeColumnsToContents()
-        table.horizontalHeader().setSectionResizeMode(USE, QtGui.QHeaderView.Stretch)
-        table.setColumnWidth(UNIT, 64)
-        for column, most in ((COLUMN, 92), (VALUE, 56)):
+        for column, most in ((COLUMN, 92), (VALUE, 70)):
             table.setColumnWidth(column, min(most, table.columnWidth(column)))
+        self.grows, self.tallest = table, 26 * (len(self.table.names) + 1) + 24
         return table
+
+    def _widen(self) -> None:
+        """Make the columns of choices as wide as what is chosen, so that it can be read."""
+        for column, boxes in ((USE, self.uses), (UNIT, self.units)):
+            wide = max((b.fontMetrics().boundingRect(b.currentText()).width() for b in boxes), default=0)
+            self.columns.setColumnWidth(column, wide + 40)
 
     def _constants(self):
         """What to take for a coordinate that no column holds."""
         box = QtGui.QWidget()
-        rows = QtGui.QFormLayout(box)
+        rows = form_rows(box)
         rows.setContentsMargins(0, 0, 0, 0)
         self.constants, self._labels = {}, {}
         for axis in "xyz":
@@ -191,6 +200,7 @@ class TaskReadings(Panel):
     def check(self) -> None:
         """Read the table as chosen and show what came of it."""
         self._timer.stop()
+        self._widen()
         missing = self.missing()
         for axis, field in self.constants.items():
             for widget in (field, self._labels[axis]):
@@ -201,7 +211,7 @@ class TaskReadings(Panel):
         try:
             self.readings = readings_csv.load(self.path, self.mapping())
         except Refused as error:
-            self.problem = error.message
+            self.problem = messages.words(error)
         if self.problem:
             self._say(self.problem, bad=True)
             return
@@ -234,7 +244,7 @@ class TaskReadings(Panel):
             if path:
                 write_text(path, text + "\n")
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
 
     # -- the panel ---------------------------------------------------------------------------------------------------
     def accept(self):

@@ -41,7 +41,8 @@ class TaskRepair(Panel):
         self.table.setWordWrap(True)
         self.table.setAlternatingRowColors(True)
         self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarAlwaysOff)
-        self.table.setMinimumHeight(300)
+        self.table.setMinimumHeight(150)
+        self.grows = self.table
         self.table.itemSelectionChanged.connect(self._point)
         page.addWidget(self.table, 1)
         self.mend = QtGui.QPushButton(translate("Sens", "Repair"))

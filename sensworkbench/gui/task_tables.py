@@ -30,10 +30,7 @@ class TaskTables(Panel):
     def __init__(self, machine):
         self.core = extract.core_machine(machine)  # refuses before anything is opened
         if self.core.fitted is None:
-            raise Refused(
-                translate("Sens", "it has no fitted errors yet"), machine.Label,
-                translate("Sens", "Trace readings and add what was found first."),
-            )  # fmt: skip
+            raise Refused("gui-no-fitted-errors", machine.Label)
         self.written = None
         self.make_form(
             "SensTables", translate("Sens", "Compensation tables of {name}").format(name=machine.Label), "Sens_Tables"
@@ -49,7 +46,8 @@ class TaskTables(Panel):
         self.statement = QtGui.QPlainTextEdit()
         self.statement.setObjectName("SensStatement")
         self.statement.setReadOnly(True)
-        self.statement.setMinimumHeight(340)
+        self.statement.setMinimumHeight(150)
+        self.grows = self.statement
         page.addWidget(self.statement, 1)
         self.write = QtGui.QPushButton(QtGui.QIcon(messages.icon("Sens_Tables")), translate("Sens", "Write files…"))
         self.write.setToolTip(translate("Sens", "Writes the tables and this statement into a folder"))
@@ -65,7 +63,7 @@ class TaskTables(Panel):
             self.written = convert.write(self.core, self._chosen())
             text = convert.statement(self.core, self.written)
         except Refused as error:
-            text = error.message
+            text = messages.words(error)
         self.statement.setPlainText(text)
         self.write.setEnabled(self.written is not None)
 
@@ -75,15 +73,15 @@ class TaskTables(Panel):
     def ask_and_write(self, *_) -> list[Path]:
         """Ask for a folder and write the files and statement.txt, all or none; returns their paths."""
         folder = messages.ask_folder(translate("Sens", "Folder for the compensation tables"))
-        if not folder:
+        if not folder or self.written is None or not messages.may_write(folder, (*self.written.files, convert.STATEMENT)):
             return []
         try:
             written = convert.convert(self.core, self._chosen(), folder)
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
             return []
         paths = [Path(folder) / name for name in (*written.files, convert.STATEMENT)]
-        messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+        messages.written(paths)
         return paths
 
 

@@ -15,6 +15,7 @@ from ..document import factory, refresh, tables
 from ..formats import tolerances as files
 from . import messages, settings
 from .command import Command, Where, command
+from .copying import copyable
 from .current import current_machine
 from .panel import Panel
 from .panel import show as show_panel
@@ -63,10 +64,7 @@ class Row:
             return Tolerance(self.values[LOWER], self.values[UPPER], self.distribution, sigma)
         except Refused as error:
             if self.values[UPPER] < self.values[LOWER]:
-                raise Refused(
-                    translate("Sens", "the upper limit is below the lower limit"), self.symbol,
-                    translate("Sens", "Exchange the two limits."),
-                ) from None  # fmt: skip
+                raise Refused("gui-limits-reversed", self.symbol) from None
             raise error.at(self.symbol) from None
 
     def problem(self) -> str:
@@ -74,7 +72,7 @@ class Row:
         try:
             self.tolerance()
         except Refused as error:
-            return error.message
+            return messages.words(error)
         return ""
 
 
@@ -139,7 +137,8 @@ class ToleranceModel(QtCore.QAbstractTableModel):
         if role == Qt.BackgroundRole and problem:
             return QtGui.QBrush(QtGui.QColor(200, 60, 50, 110))
         if role == Qt.ToolTipRole:
-            return problem or (row.component.alias or None if column == SYMBOL else None)
+            words = f"{row.symbol}: {error_meaning(row.symbol)}, {body_name(self.machine, row.component.body)}"
+            return problem or (f"{words} ({row.component.alias})" if row.component.alias else words)
         if role == Qt.TextAlignmentRole and column in (LOWER, UPPER):
             return RIGHT
         if role == Qt.FontRole and column == SYMBOL:
@@ -213,7 +212,6 @@ class TaskTolerances(Panel):
         self.make_form(
             "SensTolerances", translate("Sens", "Tolerances of {name}").format(name=machine.Label), "Sens_Tolerances"
         )
-        self.form.setMinimumWidth(360)
         layout = QtGui.QVBoxLayout(self.form)
         hint = QtGui.QLabel(
             translate("Sens", "Type limits with decimal point or comma, a unit may follow: 12,5 arcsec.")
@@ -228,12 +226,17 @@ class TaskTolerances(Panel):
         self.table.setAlternatingRowColors(True)
         self.table.verticalHeader().hide()
         self.table.verticalHeader().setDefaultSectionSize(24)
-        self.table.setMinimumHeight(420)
+        self.grows, self.tallest = self.table, 24 * (len(self.model.rows) + 2)
+        self.table.setMinimumHeight(150)
         self.table.setEditTriggers(QtGui.QAbstractItemView.AllEditTriggers)
         self.table.setTabKeyNavigation(True)
         self.table.resizeColumnsToContents()
         for column in (LOWER, UPPER):
-            self.table.setColumnWidth(column, 74)
+            self.table.setColumnWidth(column, 54)
+        self.table.setColumnWidth(MEANING, min(116, self.table.columnWidth(MEANING)))
+        self.table.horizontalHeader().moveSection(MEANING, 1)  # what a code means stands beside it
+        self.table.setHorizontalScrollMode(QtGui.QAbstractItemView.ScrollPerPixel)
+        copyable(self.table, "tolerances.csv")
         layout.addWidget(self.table, 1)
         row = QtGui.QHBoxLayout()
         self.value = QtGui.QLineEdit()
@@ -253,6 +256,8 @@ class TaskTolerances(Panel):
         row.addWidget(QtGui.QLabel(translate("Sens", "Angles in")))
         row.addWidget(self.angle)
         row.addStretch(1)
+        layout.addLayout(row)
+        row = QtGui.QHBoxLayout()
         for text, tip, slot in (
             (translate("Sens", "Import…"), translate("Sens", "Reads tolerances from CSV or JSON"), self.ask_import),
             (translate("Sens", "Export…"), translate("Sens", "Writes tolerances as CSV or JSON"), self.ask_export),
@@ -295,7 +300,7 @@ class TaskTolerances(Panel):
                 row.texts.clear()
                 self.model.changed(i)
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
 
     def set_angle_unit(self, *_) -> None:
         """Show all angles in the chosen unit."""
@@ -318,7 +323,7 @@ class TaskTolerances(Panel):
         try:
             found = files.load(path)
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
             return False
         for i, row in enumerate(self.model.rows):
             if row.symbol in found:
@@ -335,7 +340,7 @@ class TaskTolerances(Panel):
         try:
             files.save(self.model.result()[0], path, self.angle.itemData(self.angle.currentIndex()))
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
             return False
         return True
 
@@ -356,7 +361,7 @@ class TaskTolerances(Panel):
             tolerances, units = self.model.result()
         except Refused as error:
             self.check()
-            messages.show(error.message)
+            messages.show(messages.words(error))
             return False
         machine = self.machine
 

@@ -23,6 +23,7 @@ from .preferences import combo
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 
 POLL, WATCH = 60, 600  # milliseconds
+TRACE_FILES = ("trace.json", "report.html", "machine_augmented.json")
 
 
 class TaskTrace(Panel):
@@ -42,6 +43,7 @@ class TaskTrace(Panel):
         self._watch.timeout.connect(self._sync)
         self._watch.start(WATCH)
         self._sync()
+        self._for_trace = start  # the fit alone was asked for: its page is shown, also beside an older trace
         self._start_when_fitted = start and (self.trace is None or self.trace.Stale)
         self.fit()
 
@@ -69,6 +71,9 @@ class TaskTrace(Panel):
         self.progress = QtGui.QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setTextVisible(False)
+        policy = self.progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)  # Trace and Cancel keep their places: a late click hits neither wrongly
+        self.progress.setSizePolicy(policy)
         self.stop = QtGui.QPushButton(translate("Sens", "Cancel"))
         self.stop.setObjectName("SensTraceCancel")
         self.stop.setToolTip(translate("Sens", "Stops; the old result stays"))
@@ -89,7 +94,8 @@ class TaskTrace(Panel):
         for name, title in zip(trace_pages.PAGES, titles):
             self.pages[name] = trace_pages.Page(name)
             self.tabs.addTab(self.pages[name], title)
-        self.tabs.setMinimumHeight(500)
+        self.tabs.setMinimumHeight(150)
+        self.grows = self.tabs
         layout.addWidget(self.tabs, 1)
         layout.addLayout(self._actions())
         return form
@@ -141,7 +147,7 @@ class TaskTrace(Panel):
 
     def _fitted(self, fit) -> None:
         self.pages["Fit"].show_page(trace_pages.fit_page(fit))
-        if self.trace is None:
+        if self.trace is None or not self._for_trace:
             self.tabs.setCurrentWidget(self.pages["Fit"])
         if self._start_when_fitted:
             self._start_when_fitted = False
@@ -154,7 +160,7 @@ class TaskTrace(Panel):
         try:
             self.core = extract.core_machine(self.machine)
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
             return
         core, readings = self.core, self.readings
 
@@ -205,7 +211,9 @@ class TaskTrace(Panel):
         self._start_when_fitted = start
         self.note.setText("")
         if isinstance(task.error, (Refused, Cancelled)):
-            self.note.setText(getattr(task.error, "message", str(task.error)))
+            said = isinstance(task.error, Refused)
+            words = messages.words(task.error) if said else translate("Sens", "Cancelled; nothing was changed")
+            self.note.setText(words)
         elif task.error is not None:
             messages.log(task.error)
             self._stopped(task.error)
@@ -237,7 +245,6 @@ class TaskTrace(Panel):
         self.run.setEnabled(not busy)
         self.stop.setEnabled(busy)
         self.progress.setVisible(busy)
-        self.stop.setVisible(busy)
         if not busy:
             self.progress.setValue(0)
         self.add.setText(translate("Sens", "Remove effects") if made else translate("Sens", "Add effects"))
@@ -273,7 +280,7 @@ class TaskTrace(Panel):
         try:
             outcome = closed_loop.evidence_of(trace)
         except Refused as error:
-            self.note.setText(error.message)
+            self.note.setText(messages.words(error))
         self.pages["Result"].show_page(trace_pages.result_page(report, self.machine))
         self.pages["Findings"].show_page(trace_pages.findings_page(report, outcome))
         self.pages["BeforeAfter"].show_page(trace_pages.before_after_page(report, outcome))
@@ -296,7 +303,7 @@ class TaskTrace(Panel):
         try:
             ask_and_write(self.trace)
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
 
     def _arrows(self, _index) -> None:
         trace = self.trace
@@ -346,10 +353,10 @@ def ask_and_write(trace) -> list:
     from ..formats import study_files
 
     folder = messages.ask_folder(translate("Sens", "Folder for the trace"))
-    if not folder:
+    if not folder or not messages.may_write(folder, TRACE_FILES):
         return []
     paths = study_files.write_saved_trace(folder, closed_loop.report_of(trace), closed_loop.evidence_of(trace))
-    messages.status(translate("Sens", "Written: {files}").format(files=", ".join(str(p) for p in paths)))
+    messages.written(paths)
     return paths
 
 

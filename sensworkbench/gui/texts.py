@@ -6,6 +6,8 @@ from __future__ import annotations
 import re
 from math import sqrt
 
+import FreeCAD as App
+
 from ..core.errors import COMPONENTS, ROTATION, SQUARENESS, Component, square_to
 from ..core.units import factor, shown
 from ..document import tree
@@ -48,9 +50,7 @@ def error_meaning(symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
         return translate("Sens", "traced effect")
     along = "XYZ"[c.axis]
     if c.kind == SQUARENESS:
-        return translate("Sens", "squareness of {body} to {other}").format(
-            body=c.body, other=square_to(c)
-        )
+        return translate("Sens", "squareness of {body} to {other}").format(body=c.body, other=square_to(c))
     if c.kind == ROTATION:
         if c.body == "W":
             return translate("Sens", "workpiece, rotation about {axis}").format(axis=along)
@@ -66,6 +66,47 @@ def error_meaning(symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
     if c.axis == c.along:
         return translate("Sens", "positioning of {body}").format(body=c.body)
     return translate("Sens", "straightness of {body} along {axis}").format(body=c.body, axis=along)
+
+
+def effect_of(machine, name: str):
+    """The effect object of a name, or None."""
+    return next((e for e in tree.effects_of(machine) if e.Label == name), None) if machine is not None else None
+
+
+def short_name(machine, symbol: str) -> str:
+    """What stands for an error in a narrow column: its symbol; of an effect its component and driver."""
+    effect = effect_of(machine, symbol)
+    return symbol if effect is None else f"{effect.Component} × {effect.Driver.replace('*', ' × ')}"
+
+
+def meaning(machine, symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
+    """What an error or effect is, in words.  known : components of the machine."""
+    return error_meaning(symbol, known) if effect_of(machine, symbol) is None else symbol
+
+
+def fixed(value: float, digits: int) -> str:
+    """A number with so many digits, and no minus before a zero."""
+    text = f"{value:.{digits}f}"
+    return text.lstrip("-") if not float(text) else text
+
+
+def length_unit() -> tuple[str, float]:
+    """(unit, mm in it) in which FreeCAD's preferences want lengths: mm, or in where they are not metric."""
+    unit = App.Units.Quantity("100 mm").getUserPreferred()[2]
+    return ("in", 25.4) if unit in ("in", '"', "'", "ft", "thou", "mil") or '"' in unit or "'" in unit else ("mm", 1.0)
+
+
+def length(value: float, digits: int = 1) -> str:
+    """A length in mm as the preferences want it, with its unit; an inch has two digits more."""
+    unit, size = length_unit()
+    return f"{fixed(value / size, digits + 2 * (unit == 'in'))} {unit}"
+
+
+def point_text(point, digits: int = 1) -> str:
+    """x, y and z of a point in mm, as the preferences want lengths."""
+    unit, size = length_unit()
+    more = digits + 2 * (unit == "in")
+    return "   ".join(f"{k} {fixed(v / size, more)}" for k, v in zip("xyz", tuple(point))) + f" {unit}"
 
 
 def distribution_name(name: str) -> str:
@@ -113,9 +154,14 @@ def position_words(position: dict[str, str]) -> str:
 
 
 def objective_text(result) -> str:
-    """Return the objective of a result as a formula."""
-    letters = ("T4", "T5", "T6") if result.Output == "position" else ("R1", "R2", "R3")
+    """What Y is: the squared error of position or orientation, or the weighted sum of its components."""
+    position = result.Output == "position"
     weights = (result.Weights.x, result.Weights.y, result.Weights.z)
+    if weights == (1.0, 1.0, 1.0) and not result.Signed:
+        if position:
+            return translate("Sens", "Y: square of the position error of the tool")
+        return translate("Sens", "Y: square of the orientation error of the tool")
+    letters = ("Δx", "Δy", "Δz") if position else ("Δa", "Δb", "Δc")
     power = "" if result.Signed else "²"
     parts = [(f"{plain(abs(w))}·" if abs(w) != 1 else "") + name + power for w, name in zip(weights, letters) if w]
     signs = [("− " if w < 0 else "+ ") for w in weights if w]

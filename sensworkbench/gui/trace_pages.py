@@ -320,10 +320,7 @@ def before_after_page(report, outcome=None):
             words = translate("Sens", "95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.")
             parts.append(paragraph(words.format(a=um(before[0]), b=um(before[1]), c=um(span[0]), d=um(span[1]))))
         if outcome is not None:
-            sizes = [
-                np.linalg.norm(point_vectors(outcome, f"{s}_held_out"), axis=1)
-                for s in ("declared", "augmented")
-            ]
+            sizes = [np.linalg.norm(point_vectors(outcome, f"{s}_held_out"), axis=1) for s in ("declared", "augmented")]
             names = (translate("Sens", "before"), translate("Sens", "after"))
             label = translate("Sens", "error of a held-out point, µm")
             parts.append(

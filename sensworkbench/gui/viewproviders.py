@@ -48,12 +48,18 @@ class ViewProviderBody(ViewProviderSens):
 
 class ViewProviderTolerances(ViewProviderSens):
     """View of a tolerance table."""
+
     icon = "Sens_Tolerances"
 
 
 class ViewProviderEffect(ViewProviderSens):
-    """View of an effect."""
+    """A traced effect; its eye in the tree is open while it takes part."""
+
     icon = "Sens_Effect"
+
+    def updateData(self, obj, prop):
+        if prop == "Enabled" and obj.ViewObject is not None and obj.ViewObject.Visibility != obj.Enabled:
+            obj.ViewObject.Visibility = obj.Enabled
 
 
 class ViewProviderSensitivity(ViewProviderSens):

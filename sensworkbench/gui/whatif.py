@@ -14,14 +14,19 @@ import FreeCAD as App
 
 from ..core import workspace
 from ..core.refusal import Refused
+from ..core.units import parse
 from ..document import extract, factory, results, tables, tree
+from ..document.refresh import components
 from . import display, live, messages
+from .copying import copyable
 from .preferences import combo, number_box
-from .qt import Qt, QtGui, translate
+from .qt import Qt, QtGui, Signal, translate
 from .ranking import _Item, angular
-from .texts import body_name, error_meaning, limits, shown_unit
+from .texts import body_name, limits, meaning, short_name, shown_unit
 
 ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
+SYMBOL = Qt.UserRole + 2  # the error of a row, its component in the column of components
+WIDEST = {ERROR: 90, FACTOR: 90, MEANING: 130, OWNER: 110, NEW: 80}  # pixels; the tool tip says the rest
 
 
 def factors():
@@ -36,7 +41,9 @@ def factors():
 
 
 class WhatIf(QtGui.QWidget):
-    """The tab that tries other tolerances, weights and reference points, and compares the rankings."""
+    """The page of the review.  `chosen` is emitted with the bodies of the rows that the user selects."""
+
+    chosen = Signal(list)
 
     def __init__(self, parent=None):
         super().__init__(parent)
@@ -59,6 +66,7 @@ class WhatIf(QtGui.QWidget):
         row.addWidget(self.factor, 1)
         row.addWidget(self.set_button)
         layout.addLayout(row)
+        layout.addLayout(self._value_row())
         layout.addLayout(self._scale_row())
         self.table = QtGui.QTreeWidget()
         self.table.setObjectName("SensWhatIf")
@@ -74,6 +82,8 @@ class WhatIf(QtGui.QWidget):
         self.table.setSortingEnabled(True)
         self.table.sortByColumn(AFTER, Qt.DescendingOrder)
         self.table.header().moveSection(self.table.header().visualIndex(MEANING), 5)
+        self.table.itemSelectionChanged.connect(self._point)
+        copyable(self.table, "what-if.csv")
         layout.addWidget(self.table, 1)
         self.summary = QtGui.QLabel()
         self.summary.setWordWrap(True)
@@ -96,6 +106,50 @@ class WhatIf(QtGui.QWidget):
         self._print = ""
         self._quiet = False
         self._then = None
+
+    def _value_row(self):
+        """A limit typed for the selected errors, and the greatest error that is allowed."""
+        row = QtGui.QHBoxLayout()
+        self.value = QtGui.QLineEdit()
+        self.value.setPlaceholderText(translate("Sens", "± 5 µm or 10 arcsec"))
+        self.value.setToolTip(translate("Sens", "Tolerance of the selected errors, ± this value; Enter sets it"))
+        self.value.returnPressed.connect(self.set_value)
+        row.addWidget(self.value, 1)
+        row.addWidget(QtGui.QLabel(translate("Sens", "Allowed")))
+        self.allowed = number_box(0, 1e6, 1, 1.0, " µm")
+        self.allowed.setSpecialValueText("–")
+        self.allowed.setKeyboardTracking(False)
+        self.allowed.setToolTip(translate("Sens", "Greatest error that is allowed; what is tried passes or fails it"))
+        self.allowed.valueChanged.connect(lambda *_: self._then is not None and self._summarize())
+        row.addWidget(self.allowed)
+        return row
+
+    def set_value(self) -> None:
+        """Give the selected errors the limits ± the typed value, a unit of its own included."""
+        text = self.value.text().strip().lstrip("±").strip()
+        rows = [item.data(ERROR, SYMBOL) for item in self.table.selectedItems()]
+        if self.result is None or not text or not rows:
+            self.summary.setText(translate("Sens", "Type a value and select the errors that take it."))
+            return
+        units = dict(zip(self.result.Symbols, self.result.Units))
+        known = components(self.machine)
+        laws, wanted = extract.core_machine(self.machine).all_tolerances, {}
+        try:
+            for symbol in rows:
+                unit, is_angle = units.get(symbol) or "um", angular(symbol, known)
+                half = abs(parse(text, angular=is_angle, default_unit=unit, where=symbol))
+                now = laws[symbol].upper - laws[symbol].lower if symbol in laws else 0.0
+                if now > 0:
+                    wanted[symbol] = 2 * half / now
+        except Refused as error:
+            self.summary.setText(messages.words(error))
+            return
+        self.change(wanted)
+
+    def _point(self) -> None:
+        """The bodies of the selected rows are pointed at in the view."""
+        if not self._quiet:
+            self.chosen.emit(list(dict.fromkeys(i.data(OWNER, SYMBOL) for i in self.table.selectedItems())))
 
     def _scale_row(self):
         tip = translate("Sens", "Moves the reference point of an axis, where its scale is read, along X, Y, Z")
@@ -137,6 +191,7 @@ class WhatIf(QtGui.QWidget):
         """Start from a result; what was tried is kept while the result is the same."""
         fresh = result.Inputs if result is not None else ""
         same = machine is self.machine and fresh == self._print
+        before = self.machine
         self.machine, self.result, self._print = machine, result, fresh
         self.setEnabled(result is not None)
         names = () if machine is None else tree.joint_names(tree.bodies(machine))
@@ -147,6 +202,8 @@ class WhatIf(QtGui.QWidget):
                 self.axis.addItem(name, name)
             self._quiet = False
         if not same:
+            if machine is not before:  # what was selected belonged to another machine
+                self.table.clear()
             self.reset()
 
     def reset(self, *_) -> None:
@@ -163,7 +220,7 @@ class WhatIf(QtGui.QWidget):
     def set_selected(self) -> None:
         """Apply the chosen factor to the selected errors."""
         factor = self.factor.itemData(self.factor.currentIndex())
-        self.change({item.text(ERROR): factor for item in self.table.selectedItems()})
+        self.change({item.data(ERROR, SYMBOL): factor for item in self.table.selectedItems()})
 
     def change(self, factors_: dict[str, float]) -> None:
         """Multiply the tolerance widths of some errors (symbol -> factor; 1 puts it back, 0 freezes)."""
@@ -186,7 +243,8 @@ class WhatIf(QtGui.QWidget):
         """Compute the ranking with the changes and show both."""
         if self._quiet:
             return
-        selected = {item.text(ERROR) for item in self.table.selectedItems()}
+        quiet, self._quiet = self._quiet, True
+        selected = {item.data(ERROR, SYMBOL) for item in self.table.selectedItems()}
         self.table.setSortingEnabled(False)
         self.table.clear()
         self._then = None
@@ -197,13 +255,14 @@ class WhatIf(QtGui.QWidget):
                 self._fill(core, then)
                 self._then = then
         except Refused as error:
-            self.summary.setText(error.message)
+            self.summary.setText(messages.words(error))
         except workspace.Cancelled:
             self.summary.setText(translate("Sens", "Cancelled; nothing was changed"))
         self.table.setSortingEnabled(True)
         for i in range(self.table.topLevelItemCount()):
             item = self.table.topLevelItem(i)
-            item.setSelected(item.text(ERROR) in selected)
+            item.setSelected(item.data(ERROR, SYMBOL) in selected)
+        self._quiet = quiet
         self.apply_button.setEnabled(self._then is not None and self._changed())
         self.reset_button.setEnabled(self._changed())
 
@@ -248,10 +307,10 @@ class WhatIf(QtGui.QWidget):
             if owner in self.moved and not change:
                 change = translate("Sens", "scale moved")
             texts = (
-                symbol, change,
+                short_name(self.machine, symbol), change,
                 f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
                 limits(law.lower, law.upper, unit, is_angle) if law else "",
-                body_name(self.machine, owner), error_meaning(symbol, known),
+                body_name(self.machine, owner), meaning(self.machine, symbol, known),
             )  # fmt: skip
             for column, text in enumerate(texts):
                 item.setText(column, text)
@@ -260,12 +319,20 @@ class WhatIf(QtGui.QWidget):
                     font = item.font(column)
                     font.setBold(True)
                     item.setFont(column, font)
+            item.setData(ERROR, SYMBOL, symbol)
+            item.setData(OWNER, SYMBOL, owner)
             for column, value in ((BEFORE, now.get(symbol, 0.0)), (AFTER, after[symbol]), (MOVE, float(here))):
                 item.setData(column, Qt.UserRole, float(value))
                 item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
         for column in range(MEANING + 1):
             self.table.resizeColumnToContents(column)
-        self.summary.setText(self._words(then))
+        for column, most in WIDEST.items():
+            self.table.setColumnWidth(column, min(most, self.table.columnWidth(column)))
+        self._then = then
+        self._summarize()
+
+    def _summarize(self) -> None:
+        self.summary.setText(self._words(self._then))
 
     def _words(self, then) -> str:
         unit, scale = shown_unit(then.objective.output)
@@ -281,6 +348,11 @@ class WhatIf(QtGui.QWidget):
         worst = max(zip(then.bodies, then.component_total.tolist()), key=lambda p: p[1])
         words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
         text += " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
+        limit = self.allowed.value()
+        if limit > 0 and unit == "µm" and not then.objective.signed:
+            words = translate("Sens", "passes") if new <= limit else translate("Sens", "fails")
+            colour = "#3f7d3a" if new <= limit else "#c0392b"
+            text += f" · <b style='color:{colour}'>{words}</b> ({limit:g} µm)"
         for name, offset in self.moved.items():
             words = translate("Sens", "scale of {name} moved by {offset} mm")
             text += "<br>" + words.format(name=name, offset="(" + ", ".join(f"{v:g}" for v in offset) + ")")
@@ -294,7 +366,7 @@ class WhatIf(QtGui.QWidget):
         try:
             core, objective = self._tried()
         except Refused as error:
-            messages.show(error.message)
+            messages.show(messages.words(error))
             return
 
         def change():

@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# A picture of every panel, in build/screens: on each version of FreeCAD that tools/freecad-matrix.sh has installed, with
+# FreeCAD's own light and dark theme, on small and large screens and at 200 %.  A panel that is cut is a failure.
+#
+#   tools/screens.sh [PYTEST-ARGUMENTS]
+set -uo pipefail
+cd "$(dirname "$(realpath "$0")")/.."
+status=0
+for version in $(tools/freecad-matrix.sh status | awk '/not there/ { next } { print $1 }'); do
+    for look in "1366x768 light 1" "1600x1000 dark 1" "2880x1800 light 2"; do
+        read -r size theme scale <<< "$look"
+        settings=(env "SENS_SCREEN=$size" "SENS_THEME=$theme")
+        [ "$scale" = 1 ] || settings+=("QT_SCALE_FACTOR=$scale")
+        tools/freecad-matrix.sh exec "$version" -- "${settings[@]}" \
+            python3 tests/run_in_freecad.py --gui -q -p no:cacheprovider tests/gui/test_layout.py "$@" || status=1
+    done
+done
+ls build/screens
+exit "$status"
