@@ -73,7 +73,9 @@ class TaskTables(Panel):
     def ask_and_write(self, *_) -> list[Path]:
         """Ask for a folder and write the files and statement.txt, all or none; returns their paths."""
         folder = messages.ask_folder(translate("Sens", "Folder for the compensation tables"))
-        if not folder or self.written is None or not messages.may_write(folder, (*self.written.files, convert.STATEMENT)):
+        if not folder or self.written is None:
+            return []
+        if not messages.may_write(folder, (*self.written.files, convert.STATEMENT)):
             return []
         try:
             written = convert.convert(self.core, self._chosen(), folder)
