@@ -99,9 +99,9 @@ class Window:
 
     @property
     def result(self):
-        from sensworkbench.document import factory
+        from sensworkbench.document import tree
 
-        return factory.sensitivity_of(self.machine)
+        return tree.sensitivity_of(self.machine)
 
     def look(self):
         """The colours of all parts."""
@@ -143,7 +143,7 @@ def measure() -> None:
     """Time each kind of change and write the milliseconds as JSON."""
     import FreeCADGui as Gui
 
-    from sensworkbench.document import extract, factory, tables
+    from sensworkbench.document import factory, tables, tree
     from sensworkbench.gui import colours
     from sensworkbench.gui.task_jog import TaskJog
 
@@ -160,7 +160,7 @@ def measure() -> None:
 
     only = [window.timed(lambda i=i: only_colours(i)) for i in range(runs)]
 
-    part = extract.parts_of(machine, "Z")[0].object
+    part = tree.parts_of(machine, "Z")[0].object
 
     def move(i):
         place = part.Placement.copy()

@@ -20,7 +20,7 @@ from .extract import core_machine
 from .factory import make_effect
 from .refresh import refresh
 from .staleness import same, trace_inputs
-from .tree import added_effects, owner_machine, readings_of, trace_of, traces_of  # noqa: F401 - see `tree`
+from .tree import added_effects, owner_machine, trace_of
 
 STAGES = ("uncorrected", "declared", "augmented")
 

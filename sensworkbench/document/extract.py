@@ -27,7 +27,7 @@ from .base import kind_of, made_by_newer, numbers
 from .kinematics import displacements, is_shift, motion, moved_back
 from .paths import Place, place
 from .tables import read_tolerances
-from .tree import (  # noqa: F401 - finders, for callers that still ask here
+from .tree import (
     BED,
     ENDS,
     all_parts,
@@ -36,9 +36,7 @@ from .tree import (  # noqa: F401 - finders, for callers that still ask here
     effects_of,
     joint_names,
     lookup,
-    owner_of,
     part_index,
-    parts_of,
 )
 
 

@@ -21,17 +21,12 @@ from .base import dress, put
 from .paths import as_links, as_sub
 from .refresh import latest
 from .tables import write_tolerances
-from .tree import (  # noqa: F401 - finders, for callers that still ask here
+from .tree import (
     BODY_LABELS,
     FEATURE,
     GROUP,
     axis_of,
     body_of,
-    effects_of,
-    machine_of,
-    machines,
-    owner_machine,
-    sensitivity_of,
     tolerances_of,
 )
 

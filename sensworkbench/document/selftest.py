@@ -27,7 +27,7 @@ class Installation(unittest.TestCase):
 
     def test_an_example_machine_is_computed_saved_and_read_back(self):
         """Make an example machine, compute it, save it, open it again and compare the indices."""
-        from . import examples, factory, results
+        from . import examples, results, tree
 
         machine = examples.make_example(self.doc, "XYFZ")
         self.assertEqual(machine.Problem, "")
@@ -40,6 +40,6 @@ class Installation(unittest.TestCase):
             self.doc.saveAs(path)
             App.closeDocument(self.doc.Name)
             self.doc = App.openDocument(path)
-            again = factory.sensitivity_of(factory.machine_of(self.doc))
+            again = tree.sensitivity_of(tree.machine_of(self.doc))
             self.assertEqual(list(again.Total), total)
             self.assertFalse(again.Stale)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from ..core.refusal import Refused
-from ..document import factory, refresh, tree
+from ..document import refresh, tree
 from ..document.base import alive, kind_of
 from . import colours, display
 from .qt import later
@@ -23,7 +23,7 @@ def adopt(doc) -> None:
         if kind_of(obj) and alive(obj):
             dress(obj)
     modified = _modified(doc)
-    for machine in factory.machines(doc):
+    for machine in tree.machines(doc):
         if alive(machine) and machine.ViewPending:
             _bring_up(machine)
         if alive(machine) and machine.Unseen:
@@ -59,7 +59,7 @@ def _bring_up(machine) -> None:
         if obj is not None and colour and hasattr(obj.ViewObject, "ShapeColor"):
             colours.paint(obj, colour)
     for result in display.results(doc):
-        if result.Coloured and factory.owner_machine(result) == machine:
+        if result.Coloured and tree.owner_machine(result) == machine:
             display.update(result)
     machine.ViewPending = False
 
@@ -96,7 +96,7 @@ def settle(name: str) -> None:
         if name not in App.listDocuments():
             return
         doc = App.getDocument(name)
-        for machine in factory.machines(doc):
+        for machine in tree.machines(doc):
             if alive(machine):
                 refresh.refresh(machine)
         for result in display.results(doc):

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from ..core.refusal import Refused
-from ..document import factory
+from ..document import tree
 from . import display, messages, review, state
 from .colours import restore
 from .command import Command, Where, command
@@ -55,7 +55,7 @@ class ErrorMap(Command):
 
     def run(self):
         machine = current_machine()
-        result = factory.sensitivity_of(machine)
+        result = tree.sensitivity_of(machine)
         view = result.ViewObject
 
         def change():
@@ -79,7 +79,7 @@ class OriginalColours(Command):
 
     def run(self):
         machine = current_machine()
-        result = factory.sensitivity_of(machine)
+        result = tree.sensitivity_of(machine)
         if result is None:
             raise Refused("gui-no-result", machine.Label)
 

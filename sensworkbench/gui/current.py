@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.refusal import Refused
-from ..document import closed_loop, factory
+from ..document import tree
 from ..document.base import kind_of
 
 
@@ -22,25 +22,25 @@ def machines() -> list:
 def current_machine():
     """The selected machine (or that of the selected axis, table or result), else the only one; refuses otherwise."""
     for obj in Gui.Selection.getSelection():
-        machine = obj if kind_of(obj) == "Machine" else factory.owner_machine(obj) if kind_of(obj) else None
+        machine = obj if kind_of(obj) == "Machine" else tree.owner_machine(obj) if kind_of(obj) else None
         if machine is not None:
             return machine
-    return factory.machine_of(App.ActiveDocument)
+    return tree.machine_of(App.ActiveDocument)
 
 
 def tables() -> list:
     """Readings objects of the active document."""
-    return [t for m in machines() for t in closed_loop.readings_of(m)]
+    return [t for m in machines() for t in tree.readings_of(m)]
 
 
 def traces() -> list:
     """Trace objects of the active document."""
-    return [t for m in machines() for t in closed_loop.traces_of(m)]
+    return [t for m in machines() for t in tree.traces_of(m)]
 
 
 def results() -> list:
     """Sensitivity objects of the active document."""
-    return [r for m in machines() if (r := factory.sensitivity_of(m)) is not None]
+    return [r for m in machines() if (r := tree.sensitivity_of(m)) is not None]
 
 
 def selected(kind: str):
@@ -54,7 +54,7 @@ def current_table():
     if chosen is None and trace is not None:
         chosen = trace.Readings
     if chosen is None:
-        found = closed_loop.readings_of(current_machine())
+        found = tree.readings_of(current_machine())
         if not found:
             raise Refused("gui-no-readings", current_machine().Label)
         chosen = found[-1]
@@ -65,9 +65,9 @@ def current_trace():
     """The selected trace (or that of the selected readings), else the newest of the machine; refuses otherwise."""
     chosen, table = selected("Trace"), selected("Readings")
     if chosen is None and table is not None:
-        chosen = closed_loop.trace_of(table)
+        chosen = tree.trace_of(table)
     if chosen is None:
-        found = closed_loop.traces_of(current_machine())
+        found = tree.traces_of(current_machine())
         if not found:
             raise Refused("gui-no-trace", current_machine().Label)
         chosen = found[-1]

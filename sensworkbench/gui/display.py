@@ -9,7 +9,7 @@ from __future__ import annotations
 from pivy import coin
 
 from ..core.refusal import Refused
-from ..document import factory
+from ..document import tree
 from ..document.base import alive, kind_of
 from . import colours, live, state
 from .colormap import Scale, automatic
@@ -93,7 +93,7 @@ def position_legend(machine, totals: dict[str, float], position: dict[str, float
 
 def update(result, *, fresh: bool = False) -> None:
     """Bring colours, legend and error map of a result up to date; `fresh`: compute it again first if stale."""
-    machine = factory.owner_machine(result)
+    machine = tree.owner_machine(result)
     if machine is None or not ready(result) or not hasattr(result.ViewObject.Proxy, "legend"):
         return
     view = result.ViewObject

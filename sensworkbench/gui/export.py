@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ..core.refusal import Refused
-from ..document import extract, factory, results
+from ..document import extract, results, tree
 from ..formats import study_files
 from ..studies.sensitivity import completed
 from . import messages, settings, state
@@ -67,7 +67,7 @@ def unselected(doc):
 
 def export(machine, folder) -> list[Path]:
     """Write report.html, sensitivity.json, sensitivity.csv and view.png; returns their paths."""
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     if result is None or not result.Symbols:
         raise Refused("gui-no-result", machine.Label)
     if result.Stale:

@@ -14,7 +14,7 @@ import FreeCAD as App
 
 from ..core import workspace
 from ..core.refusal import Refused
-from ..document import extract, factory, results
+from ..document import extract, results, tree
 from . import settings, state
 from .qt import Qt, QtCore, QtGui, later, main_window, run, soon, translate, usual_cursor
 
@@ -34,7 +34,7 @@ def _answer(document: str, name: str) -> None:
     if document in App.listDocuments():
         state.of(document).answering.discard(name)
     machine = App.getDocument(document).getObject(name) if document in App.listDocuments() else None
-    result = factory.sensitivity_of(machine) if machine is not None else None
+    result = tree.sensitivity_of(machine) if machine is not None else None
     if result is not None:
         answer(machine, result)
 

@@ -9,7 +9,7 @@ import FreeCAD as App
 import Part
 
 from ..core.refusal import Refused
-from ..document import factory, geometry, paths, refresh, tree
+from ..document import geometry, paths, refresh, tree
 from ..document.base import kind_of
 from . import state
 from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
@@ -34,7 +34,7 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
         return []
     found = []
     for body in bodies:
-        obj = factory.body_of(machine, body)
+        obj = tree.body_of(machine, body)
         if obj is None:
             continue
         start = displaced[body].multVec(obj.ReferencePoint)
@@ -128,7 +128,7 @@ def point_at(machine, bodies) -> None:
 
     Gui.Selection.clearSelection(machine.Document.Name)
     for body in bodies:
-        obj = factory.body_of(machine, body)
+        obj = tree.body_of(machine, body)
         if obj is not None:
             Gui.Selection.addSelection(obj)
     show(machine, bodies)

@@ -14,7 +14,7 @@ import numpy as np
 from pivy import coin
 
 from ..core.refusal import Refused
-from ..document import closed_loop, extract, factory
+from ..document import closed_loop, extract, tree
 from .arrows import Arrow, Arrows
 from .legend import Legend
 from .looks import CORNERS
@@ -321,7 +321,7 @@ def update(obj) -> None:
     proxy = view.Proxy
     if not isinstance(proxy, ViewProviderTrace) or not hasattr(view, "ShowResiduals"):
         return
-    machine = factory.owner_machine(obj)
+    machine = tree.owner_machine(obj)
     if machine is None or view.ShowResiduals == OFF or not len(obj.Positions) or not view.Visibility:
         proxy.arrows.hide()
         return

@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 
 from ..core.refusal import Refused
-from ..document import extract, factory, refresh
+from ..document import refresh, tree
 from ..document.base import alive, kind_of
 from . import display, messages, pointers, state
 from .bars import ComponentBars
@@ -220,7 +220,7 @@ class Review(QtGui.QDockWidget):
     def result(self):
         """Return the result of the machine that is shown, or None."""
         machine = self.machine
-        return factory.sensitivity_of(machine) if machine is not None else None
+        return tree.sensitivity_of(machine) if machine is not None else None
 
     def set_machine(self, machine) -> None:
         """Show another machine."""
@@ -245,7 +245,7 @@ class Review(QtGui.QDockWidget):
         if self.machine is not None and self.key[0] == doc.Name:
             return
         before = self.key
-        here = [m.Name for m in factory.machines(doc) if alive(m)]
+        here = [m.Name for m in tree.machines(doc) if alive(m)]
         name = state.of(doc).reviewed
         self.key = (doc.Name, name if name in here else here[0] if here else "")
         if self.key != before:
@@ -318,7 +318,7 @@ class Review(QtGui.QDockWidget):
         kind = kind_of(obj)
         try:
             body = (
-                getattr(obj, kind) if kind in ("Axis", "Body") else "" if kind else extract.owner_of(machine, obj, sub)
+                getattr(obj, kind) if kind in ("Axis", "Body") else "" if kind else tree.owner_of(machine, obj, sub)
             )
         except Refused:
             return

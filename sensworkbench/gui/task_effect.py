@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 
 from ..core.refusal import Refused
-from ..document import factory
+from ..document import tree
 from ..formats.trace_html import driver_words, parameter_words
 from . import messages
 from .command import Command, Where, command
@@ -67,7 +67,7 @@ def parameters(text: str) -> list[tuple[str, str]]:
 
 def switch(effect, enabled: bool) -> bool:
     """Let an effect take part or not, as one undo step."""
-    machine = factory.owner_machine(effect)
+    machine = tree.owner_machine(effect)
 
     def change():
         effect.Enabled = enabled

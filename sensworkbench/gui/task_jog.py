@@ -10,7 +10,7 @@ import FreeCADGui as Gui
 
 from ..core import workspace
 from ..core.refusal import Refused
-from ..document import drive, extract, factory
+from ..document import drive, extract, tree
 from ..document import jog as moving
 from . import colours, display, messages, pointers
 from .command import Command, Where, command
@@ -49,7 +49,7 @@ class TaskJog(Panel):
         layout.addWidget(self._axes())
         self.follow = QtGui.QCheckBox(translate("Sens", "Colour by the indices at this position"))
         self.follow.setToolTip(translate("Sens", "Recolours while the axes move; off: the colours of the result stay"))
-        result = factory.sensitivity_of(machine)
+        result = tree.sensitivity_of(machine)
         self.follow.setChecked(result is not None and bool(result.Coloured))
         self.follow.setEnabled(result is not None and bool(result.Coloured))
         self.follow.toggled.connect(lambda *_: self._timer.start(0))
@@ -68,7 +68,7 @@ class TaskJog(Panel):
         grid.setContentsMargins(0, 0, 0, 0)
         self.sliders, self.numbers = {}, {}
         for i, name in enumerate(self.names):
-            axis = factory.axis_of(self.machine, name)
+            axis = tree.axis_of(self.machine, name)
             low, high = axis.TravelLower.Value, axis.TravelUpper.Value
             slider = QtGui.QSlider(Qt.Horizontal)
             slider.setRange(0, STEPS)
@@ -119,7 +119,7 @@ class TaskJog(Panel):
         self._move()
 
     def _put(self, name):
-        axis = factory.axis_of(self.machine, name)
+        axis = tree.axis_of(self.machine, name)
         low, high = axis.TravelLower.Value, axis.TravelUpper.Value
         self.numbers[name].setValue(self.position[name])
         self.sliders[name].setValue(int(round(STEPS * (self.position[name] - low) / (high - low))))
@@ -149,7 +149,7 @@ class TaskJog(Panel):
         self._quiet = False
         totals = self._indices()
         for i, body in enumerate(self.bodies):
-            obj = factory.body_of(self.machine, body)
+            obj = tree.body_of(self.machine, body)
             values = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"] if obj is not None else [None] * 3
             length = obj.AbbeOffset.Length if obj is not None else None
             texts = [body_name(self.machine, body)] + ["" if v is None else fixed(v, 1) for v in (*values, length)]
@@ -183,7 +183,7 @@ class TaskJog(Panel):
             self.note.setText(messages.words(error))
             return {}
         totals = dict(zip(found.bodies, found.component_total.tolist()))
-        result = factory.sensitivity_of(self.machine)
+        result = tree.sensitivity_of(self.machine)
         if result is not None and result.Coloured:
             view = result.ViewObject
             if self.follow.isChecked():
@@ -206,7 +206,7 @@ class TaskJog(Panel):
 
     def close(self) -> None:
         self.leave()
-        result = factory.sensitivity_of(self.machine)
+        result = tree.sensitivity_of(self.machine)
         if result is not None:
             display.update(result)
         Gui.Control.closeDialog()

@@ -190,11 +190,11 @@ class TaskMachine(Panel):
     @property
     def owner(self):
         """The object of the chosen component (the machine for the bed), or None where it is not made yet."""
-        return self.machine if self.body == "F" else factory.body_of(self.machine, self.body)
+        return self.machine if self.body == "F" else tree.body_of(self.machine, self.body)
 
     def links(self, body: str):
         """Return the links to the parts of a body."""
-        owner = self.machine if body == "F" else factory.body_of(self.machine, body)
+        owner = self.machine if body == "F" else tree.body_of(self.machine, body)
         return [] if owner is None else owner.Bed if body == "F" else owner.Parts
 
     def show(self) -> None:

@@ -11,7 +11,7 @@ import FreeCAD as App
 
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
-from ..document import closed_loop, extract, factory
+from ..document import closed_loop, extract, tree
 from ..document.tree import added_effects
 from . import messages, residuals, trace_pages
 from .command import Command, Where, command
@@ -50,7 +50,7 @@ class TaskTrace(Panel):
     @property
     def trace(self):
         """The Trace object of the readings, or None."""
-        return closed_loop.trace_of(self.table)
+        return tree.trace_of(self.table)
 
     # -- the form ----------------------------------------------------------------------------------------------------
     def _form(self):
@@ -362,7 +362,7 @@ def ask_and_write(trace) -> list:
 
 def open_panel(table, start: bool = False):
     """Open the panel for a Readings object."""
-    panel = TaskTrace(factory.owner_machine(table), table, start)
+    panel = TaskTrace(tree.owner_machine(table), table, start)
     show_panel(panel, table.Document)
     return panel
 

@@ -374,7 +374,7 @@ class WhatIf(QtGui.QWidget):
             factory.set_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
             machine.Weights = App.Vector(*objective.weights)
             for name, offset in self.moved.items():
-                factory.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)
+                tree.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)
             display.compute_and_colour(machine)
 
         if messages.change(machine.Document, translate("Sens", "Apply what-if"), change):

@@ -10,7 +10,7 @@ import pytest
 from sensworkbench.core import workspace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import assembly as from_assembly
-from sensworkbench.document import drive, extract, factory, results
+from sensworkbench.document import drive, extract, results, tree
 
 from .assemblies import PLACES, SLIDERS, TIP, ground, group_of, join, limit, new_assembly, slider_machine
 from .blocks import TURNED, block, close, golden_machine, point
@@ -31,7 +31,7 @@ def made(doc):
 
 
 def named(machine, body):
-    return [p.object.Name for p in extract.parts_of(machine, body)]
+    return [p.object.Name for p in tree.parts_of(machine, body)]
 
 
 def test_joints_say_who_is_who_where_and_how_far(made):
@@ -41,7 +41,7 @@ def test_joints_say_who_is_who_where_and_how_far(made):
     assert {b: named(machine, b) for b in "FXYZ"} == {"F": ["Bed"], "X": ["Table"], "Y": ["Saddle"], "Z": ["Head"]}
     for name, direction, at in (("X", (1, 0, 0), (30, -180, 200)), ("Y", (0, 1, 0), (-60, -200, 100)),
                                 ("Z", (0, 0, 1), (15, 100, 600))):  # fmt: skip
-        axis = factory.axis_of(machine, name)
+        axis = tree.axis_of(machine, name)
         assert close(axis.Direction, direction) and close(axis.ReferencePoint, at), name
         assert (axis.TravelLower.Value, axis.TravelUpper.Value) == (-300, 300)
         assert axis.Position.Value == 0
@@ -65,7 +65,7 @@ def test_an_assembly_that_is_turned_and_moved_has_the_same_indices(made):
     before = list(results.compute(machine).Total)
     assembly.Placement = TURNED
     assembly.Document.recompute()
-    assert close(factory.axis_of(machine, "X").Direction, TURNED.Rotation.multVec(V(1, 0, 0)))
+    assert close(tree.axis_of(machine, "X").Direction, TURNED.Rotation.multVec(V(1, 0, 0)))
     assert machine.Problem == ""
     np.testing.assert_allclose(list(results.compute(machine).Total), before, rtol=1e-7, atol=1e-12)
 
@@ -83,7 +83,7 @@ def test_a_drag_along_a_slider_is_a_jog(made, name, body, step):
         machine.Document.getObject("Tip").Placement.Base += V(*step)
     assert assembly.solve() == 0
     machine.Document.recompute()
-    axis = factory.axis_of(machine, body)
+    axis = tree.axis_of(machine, body)
     along = sum(s * u for s, u in zip(step, axis.Direction))
     expected = along if body == "Z" else -along  # the table moves against the tool
     assert axis.Position.Value == pytest.approx(expected, abs=1e-6)
@@ -93,7 +93,7 @@ def test_a_drag_along_a_slider_is_a_jog(made, name, body, step):
     for one, other in zip(before.axes.values(), after.axes.values()):
         np.testing.assert_allclose(one.reference, other.reference, atol=1e-6)
     np.testing.assert_allclose(before.tool_point, after.tool_point, atol=1e-6)
-    offset = factory.axis_of(machine, "Y").AbbeOffset
+    offset = tree.axis_of(machine, "Y").AbbeOffset
     at_home = V(*before.tool_point) - V(*before.axes["Y"].reference)
     assert close(offset, at_home + (V(*step) if body == "Z" else V()), 1e-6)
 
@@ -108,9 +108,9 @@ def test_driving_the_sliders_is_a_drag_to_given_positions(made):
     drive.drive(machine, asked)
     machine.Document.recompute()
     for name, value in asked.items():
-        assert factory.axis_of(machine, name).Position.Value == pytest.approx(value, abs=1e-6)
+        assert tree.axis_of(machine, name).Position.Value == pytest.approx(value, abs=1e-6)
     assert machine.Problem == "" and not found.Stale
-    u = {name: factory.axis_of(machine, name).Direction for name in "XYZ"}
+    u = {name: tree.axis_of(machine, name).Direction for name in "XYZ"}
     expected = {"Bed": V(), "Head": u["Z"] * 120, "Saddle": u["Y"] * 35, "Table": u["Y"] * 35 - u["X"] * 60}
     for name, shift in expected.items():
         assert close(parts[name].Placement.Base - home[name].Base, shift, 1e-6), name
@@ -171,7 +171,7 @@ def test_positions_and_limits_count_as_the_sliders_do(doc):
         parts[part].Placement.Base += V(*step)
     doc.recompute()
     machine = from_assembly.machine_from_assembly(doc, assembly, tool=parts["Head"], tool_point=parts["Head"])
-    x, z = (factory.axis_of(machine, n) for n in "XZ")
+    x, z = (tree.axis_of(machine, n) for n in "XZ")
     assert (x.TravelLower.Value, x.TravelUpper.Value, x.Position.Value) == pytest.approx((-250, 100, -30))
     assert (z.TravelLower.Value, z.TravelUpper.Value, z.Position.Value) == pytest.approx((-50, 400, 12))
     assert close(x.ReferencePoint, SLIDERS["Slider X"][2]) and close(z.ReferencePoint, SLIDERS["Slider Z"][2])
@@ -182,7 +182,7 @@ def test_a_slider_without_limits_gets_a_travel_that_says_so(doc):
     joints["Slider Y"].EnableLengthMax = False
     reading = from_assembly.read(assembly)
     machine = from_assembly.machine_from_assembly(doc, reading, tool=parts["Head"], travel={"X": (-10, 20)})
-    y, x = factory.axis_of(machine, "Y"), factory.axis_of(machine, "X")
+    y, x = tree.axis_of(machine, "Y"), tree.axis_of(machine, "X")
     assert (y.TravelLower.Value, y.TravelUpper.Value) == (-100, 100)
     assert (x.TravelLower.Value, x.TravelUpper.Value) == (-10, 20)
     assert any("Slider Y" in note for note in reading.notes)
@@ -212,7 +212,7 @@ def test_a_joint_turned_round_or_listed_the_other_way_is_the_same_axis(doc):
     assembly, parts, _ = slider_machine(doc, sliders=sliders, limits={"A": (-10, 20), "B": (-30, 40), "C": (-50, 60)})
     machine = from_assembly.machine_from_assembly(doc, assembly, tool=parts["Head"], tool_point=parts["Head"])
     assert machine.Structure == "XYFZ"
-    axes = {n: factory.axis_of(machine, n) for n in "XYZ"}
+    axes = {n: tree.axis_of(machine, n) for n in "XYZ"}
     for n, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))):
         assert close(axes[n].Direction, u)
     # A: side 2 is the bed, so the saddle moves along +Y with growing distance; a workpiece side counts against that
@@ -275,7 +275,7 @@ def test_links_and_bodies_as_carriages(doc):
     saddle.Placement.Base += V(0, 11, 0)
     table.Placement.Base += V(0, 11, 0)
     doc.recompute()
-    assert factory.axis_of(machine, "Y").Position.Value == pytest.approx(-11)
+    assert tree.axis_of(machine, "Y").Position.Value == pytest.approx(-11)
 
 
 def test_a_reference_deep_inside_a_part_means_the_whole_part(doc):
@@ -288,7 +288,7 @@ def test_a_reference_deep_inside_a_part_means_the_whole_part(doc):
     join(assembly, "Slider", "Slider Z", parts["Bed"], head, (15, 100, 600), (0, 0, 1), ("", "Casting."))
     machine = from_assembly.machine_from_assembly(doc, assembly, tool=head, tool_point=head)
     assert named(machine, "Z") == ["Head"]
-    assert close(factory.axis_of(machine, "Z").ReferencePoint, (15, 100, 600))
+    assert close(tree.axis_of(machine, "Z").ReferencePoint, (15, 100, 600))
 
 
 @pytest.mark.parametrize("kind", ["assembly", "link", "other document"])
@@ -322,15 +322,15 @@ def test_axes_inside_a_sub_assembly_count(doc, kind, tmp_path):
         machine = from_assembly.machine_from_assembly(doc, assembly, tool=head, tool_point=head)
         assert machine.Problem == "" and machine.Structure == "XYFZ"
         assert {b: named(machine, b) for b in "FXYZ"} == {"F": ["Bed"], "X": ["Table"], "Y": ["Saddle"], "Z": ["Head"]}
-        assert close(factory.axis_of(machine, "X").ReferencePoint, (1030, -180, 200))
-        assert close(factory.axis_of(machine, "Z").ReferencePoint, (1015, 100, 600))
+        assert close(tree.axis_of(machine, "X").ReferencePoint, (1030, -180, 200))
+        assert close(tree.axis_of(machine, "Z").ReferencePoint, (1015, 100, 600))
         parts["Table"].Placement.Base += V(13, 0, 0)
         where.recompute()
         doc.recompute()
         machine.touch()
         doc.recompute()
-        assert factory.axis_of(machine, "X").Position.Value == pytest.approx(-13)
-        assert close(factory.axis_of(machine, "X").ReferencePoint, (1030, -180, 200))
+        assert tree.axis_of(machine, "X").Position.Value == pytest.approx(-13)
+        assert close(tree.axis_of(machine, "X").ReferencePoint, (1030, -180, 200))
     finally:
         if where is not doc:
             App.closeDocument(where.Name)
@@ -372,7 +372,7 @@ def test_a_flexible_link_to_an_assembly_is_walked_and_a_rigid_one_refused_by_nam
         machine = from_assembly.machine_from_assembly(doc, assembly, tool=head, tool_point=head)
         assert machine.Problem == "" and machine.Structure == "XYFZ"
         assert {b: named(machine, b) for b in "FXYZ"} == {"F": ["Bed"], "X": ["Table"], "Y": ["Saddle"], "Z": ["Head"]}
-        assert close(factory.axis_of(machine, "X").ReferencePoint, PLACES["Table"])
+        assert close(tree.axis_of(machine, "X").ReferencePoint, PLACES["Table"])
     finally:
         App.closeDocument(where.Name)
 
@@ -385,7 +385,7 @@ def test_a_link_to_a_whole_assembly_is_read_where_the_link_stands(doc):
     doc.recompute()
     machine = from_assembly.machine_from_assembly(doc, link, tool=(link, "Head."), tool_point=(link, "Head."))
     assert machine.Problem == "" and machine.Structure == "XYFZ"
-    axis = factory.axis_of(machine, "Y")
+    axis = tree.axis_of(machine, "Y")
     assert close(axis.Direction, TURNED.Rotation.multVec(V(0, 1, 0)) * (1 if axis.Direction.y > 0 else -1), 1e-9)
     assert close(axis.ReferencePoint, TURNED.multVec(V(-60, -200, 100)), 1e-9)
 
@@ -397,13 +397,13 @@ def test_saved_and_opened_again_it_still_follows_its_joints(doc, made, tmp_path)
     doc.saveCopy(path)
     again = App.openDocument(path)
     try:
-        machine = factory.machine_of(again)
+        machine = tree.machine_of(again)
         again.recompute()
-        assert machine.Problem == "" and not factory.sensitivity_of(machine).Stale
+        assert machine.Problem == "" and not tree.sensitivity_of(machine).Stale
         again.getObject("Head").Placement.Base += V(0, 0, 21)
         again.recompute()
-        assert factory.axis_of(machine, "Z").Position.Value == pytest.approx(21)
-        assert list(factory.sensitivity_of(machine).Total) == before
+        assert tree.axis_of(machine, "Z").Position.Value == pytest.approx(21)
+        assert list(tree.sensitivity_of(machine).Total) == before
     finally:
         App.closeDocument(again.Name)
 

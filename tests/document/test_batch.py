@@ -19,7 +19,7 @@ import pytest
 from sensworkbench.core import workspace
 from sensworkbench.core.fitted import Constant, FittedModel
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import archive, batch, extract, factory, handoff, results, tables
+from sensworkbench.document import archive, batch, extract, handoff, results, tables, tree
 from sensworkbench.formats.effects_json import of_parameters
 
 from .blocks import golden_machine
@@ -58,7 +58,7 @@ def digest(path):
 def reopened(path, check):
     document = App.openDocument(str(path))
     try:
-        return check(factory.machine_of(document))
+        return check(tree.machine_of(document))
     finally:
         App.closeDocument(document.Name)
 
@@ -73,7 +73,7 @@ def test_the_result_is_stored_in_a_copy_and_the_input_is_untouched(saved, tmp_pa
     assert sorted(p.name for p in target.parent.iterdir()) == ["result.FCStd"]  # no temporary or backup file stays
 
     def check(machine):
-        obj = factory.sensitivity_of(machine)
+        obj = tree.sensitivity_of(machine)
         np.testing.assert_array_equal(obj.Total, found.total)
         np.testing.assert_array_equal(results.load(machine, obj).component_total, found.component_total)
         assert obj.Variance == found.variance and obj.MeanSquare == found.mean_square
@@ -120,7 +120,7 @@ def test_the_copy_takes_the_tolerances_and_convention_that_were_computed(saved, 
         target = batch.write_sensitivity(opened, tmp_path / "r.FCStd", workspace.sensitivity(changed), changed)
 
     def check(machine):
-        assert machine.Squareness == "carried" and not factory.sensitivity_of(machine).Stale
+        assert machine.Squareness == "carried" and not tree.sensitivity_of(machine).Stale
         assert tables.read_tolerances(machine)["EAX"].upper == pytest.approx(10e-6)
 
     reopened(target, check)
@@ -140,7 +140,7 @@ def test_fitted_errors_and_effects_are_written_under_their_bodies(saved, tmp_pat
     batch.write_augmented(target, tmp_path / "again.FCStd", augmented)
 
     def check(machine):
-        assert [e.Label for e in factory.effects_of(machine)] == ["growth"]
+        assert [e.Label for e in tree.effects_of(machine)] == ["growth"]
         back = extract.core_machine(machine)
         assert back.effects == (effect,) and back.fitted == fitted and back.declared == {"EXX": 5}
 
@@ -235,7 +235,7 @@ def test_the_verb_on_a_document_from_plain_python(command, viewed, tmp_path):
     totals = {e["symbol"]: e["total"] for e in data["errors"]}
 
     def check(machine):
-        obj = factory.sensitivity_of(machine)
+        obj = tree.sensitivity_of(machine)
         assert machine.Aggregate == "at"
         for symbol, total in zip(obj.Symbols, obj.Total):
             assert total == pytest.approx(totals[symbol], rel=1e-9, abs=1e-12)

@@ -17,7 +17,7 @@ from sensworkbench.closedloop.declared import declared_fit, fit_summary
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import closed_loop, extract, factory, results, tree
+from sensworkbench.document import closed_loop, extract, results, tree
 from sensworkbench.document.examples import make_example
 from sensworkbench.formats import readings_csv, study_files, trace_json
 
@@ -65,7 +65,7 @@ def test_readings_are_kept_as_they_were_imported(machine, measured, tmp_path):
     opened = again(machine.Document, tmp_path / "kept.FCStd")
     try:
         found = opened.getObject(table.Name)
-        assert tree.readings_of(factory.machine_of(opened)) == [found]
+        assert tree.readings_of(tree.machine_of(opened)) == [found]
         assert (found.Source, found.Points, found.Rows, found.Sha256) == ("measured.csv", 160, 480, digest)
         assert "temp_column (K)" in found.Columns
         assert any("derived" in f for f in found.Findings)
@@ -138,7 +138,7 @@ def test_found_effects_join_the_machine_and_leave_it_again(machine, traced):
     doc.recompute()
     doc.commitTransaction()
     assert [(e.Component, e.Driver) for e in made] == [("EAZ", "temp_column")]
-    assert made[0] in factory.axis_of(machine, "Z").Group
+    assert made[0] in tree.axis_of(machine, "Z").Group
     coefficient = json.loads(made[0].Parameters)["coefficient"]
     assert coefficient["value"] == pytest.approx(simulated.COEFFICIENT, abs=4 * coefficient["u"])
     assert before.Stale and not traced[1].Stale
@@ -154,7 +154,7 @@ def test_found_effects_join_the_machine_and_leave_it_again(machine, traced):
         closed_loop.add_effects(traced[1])
     closed_loop.remove_effects(traced[1])
     doc.recompute()
-    assert not factory.effects_of(machine) and machine.Fitted == fitted
+    assert not tree.effects_of(machine) and machine.Fitted == fitted
     assert closed_loop.can_add(traced[1])
 
 
@@ -166,10 +166,10 @@ def test_undo_takes_the_effects_and_the_fit_back(machine, traced):
     doc.recompute()
     doc.commitTransaction()
     doc.undo()
-    assert not factory.effects_of(machine) and machine.Fitted == fitted and not tree.added_effects(traced[1])
+    assert not tree.effects_of(machine) and machine.Fitted == fitted and not tree.added_effects(traced[1])
     doc.redo()
-    assert [e.Component for e in factory.effects_of(machine)] == ["EAZ"]
-    assert tree.added_effects(traced[1]) == factory.effects_of(machine)
+    assert [e.Component for e in tree.effects_of(machine)] == ["EAZ"]
+    assert tree.added_effects(traced[1]) == tree.effects_of(machine)
 
 
 def test_the_document_predicts_as_the_augmented_machine_does(machine, traced):
@@ -183,7 +183,7 @@ def test_the_document_predicts_as_the_augmented_machine_does(machine, traced):
 
 def test_a_trace_of_a_machine_that_changed_says_so(machine, traced):
     assert not traced[1].Stale
-    factory.axis_of(machine, "Z").TravelUpper = factory.axis_of(machine, "Z").TravelUpper.Value + 10
+    tree.axis_of(machine, "Z").TravelUpper = tree.axis_of(machine, "Z").TravelUpper.Value + 10
     machine.Document.recompute()
     assert traced[1].Stale and not closed_loop.can_add(traced[1])
     with pytest.raises(Refused, match="has changed"):
@@ -216,7 +216,7 @@ def test_trace_and_predict_on_a_document_from_the_command_line(machine, measured
     assert hashlib.sha256(path.read_bytes()).hexdigest() == digest
     opened = App.openDocument(str(out / "machine_augmented.FCStd"))
     try:
-        effects = factory.effects_of(factory.machine_of(opened))
+        effects = tree.effects_of(tree.machine_of(opened))
         assert [(e.Component, e.Driver, e.Enabled) for e in effects] == [("EAZ", "temp_column", True)]
     finally:
         App.closeDocument(opened.Name)

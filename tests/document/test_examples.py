@@ -9,7 +9,7 @@ import FreeCAD as App
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import examples, extract, factory, jog, paths, results
+from sensworkbench.document import examples, extract, jog, paths, results, tree
 
 
 @pytest.fixture(params=list(examples.NAMES), scope="module")
@@ -28,11 +28,11 @@ def example(built):
 
 
 def leaves(machine):
-    return {b: [l for p in extract.parts_of(machine, b) for l in paths.leaves(p)] for b in "FXYZTW"}
+    return {b: [l for p in tree.parts_of(machine, b) for l in paths.leaves(p)] for b in "FXYZTW"}
 
 
 def ends(machine):
-    axes = [factory.axis_of(machine, n) for n in "XYZ"]
+    axes = [tree.axis_of(machine, n) for n in "XYZ"]
     limits = [(a.TravelLower.Value, a.TravelUpper.Value) for a in axes]
     return [dict(zip("XYZ", corner)) for corner in itertools.product(*limits)]
 
@@ -73,12 +73,12 @@ def test_bodies_do_not_run_into_each_other_at_the_ends_of_travel(example):
 
 
 def test_the_tool_reaches_the_workpiece_and_clears_the_table(example):
-    low = factory.axis_of(example, "Z").TravelLower.Value
+    low = tree.axis_of(example, "Z").TravelLower.Value
     jog.jog(example, {"Z": low})
     tip = extract.place(example.ToolPoint).placement.Base
     top = max(leaf.shape().BoundBox.ZMax for leaf in leaves(example)["W"])
     assert tip.z > top - 100 and tip.z > 0  # the table's top is at 0
-    assert abs(tip.x - extract.parts_of(example, "W")[0].placement.Base.x) < 100
+    assert abs(tip.x - tree.parts_of(example, "W")[0].placement.Base.x) < 100
 
 
 def test_an_unknown_structure_is_refused(doc):

@@ -9,7 +9,7 @@ import pytest
 
 from sensworkbench.core import synthesis, workspace
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import extract, factory, jog, results
+from sensworkbench.document import extract, jog, results, tree
 from sensworkbench.document.base import numbers
 
 from .blocks import REFERENCES, TOOL, TURNED, P, R, V, block, close, golden_machine, point
@@ -38,12 +38,12 @@ def test_a_machine_of_parts_gives_the_golden_volumetric_error(doc, code):
 
 def test_the_abbe_offset_is_tool_point_minus_reference_where_they_stand(doc):
     machine = golden_machine(doc, "XYFZ")
-    z = factory.axis_of(machine, "Z")
+    z = tree.axis_of(machine, "Z")
     assert close(z.AbbeOffset, V(*TOOL) - V(*REFERENCES["Z"]))
     jog.jog(machine, {"X": 200, "Y": 150, "Z": -100})
     doc.recompute()
     assert close(z.AbbeOffset, V(*TOOL) - V(*REFERENCES["Z"]))  # both ride on Z
-    x = factory.axis_of(machine, "X")  # the table moves by -200 and -150, the tool by -100
+    x = tree.axis_of(machine, "X")  # the table moves by -200 and -150, the tool by -100
     assert close(x.AbbeOffset, V(*TOOL) + V(0, 0, -100) - (V(*REFERENCES["X"]) - V(200, 150, 0)))
     assert x.AbbeOffsetX.Value == pytest.approx(10 - 30 + 200)
     tip, reference = doc.getObject("Tip").Placement.Base, doc.getObject("RefX").Placement.Base
@@ -59,13 +59,13 @@ def test_a_machine_turned_and_shifted_as_a_whole_has_the_same_indices(doc, code)
     part.Placement, inner.Placement = TURNED, P(V(5, 6, 7), R(V(0, 1, 1), 100))
     turned_machine = golden_machine(doc, code, parent=inner)
     assert turned_machine.Problem == ""
-    u = numbers(factory.axis_of(turned_machine, "X").Direction)
+    u = numbers(tree.axis_of(turned_machine, "X").Direction)
     assert close(u, (part.Placement * inner.Placement).Rotation.multVec(V(1, 0, 0)))
     turned = results.compute(turned_machine)
     np.testing.assert_allclose(turned.Total, straight.Total, atol=1e-9)
     np.testing.assert_allclose(turned.First, straight.First, atol=1e-9)
     assert turned.MeanSquare == pytest.approx(straight.MeanSquare, rel=1e-9)
-    assert factory.axis_of(turned_machine, "Y").AbbeOffsetX.Value == pytest.approx(10 + 60)
+    assert tree.axis_of(turned_machine, "Y").AbbeOffsetX.Value == pytest.approx(10 + 60)
 
 
 def test_moving_the_whole_machine_does_not_make_results_stale_but_moving_a_reference_does(doc):
@@ -83,7 +83,7 @@ def test_moving_the_whole_machine_does_not_make_results_stale_but_moving_a_refer
 
 def test_moving_a_part_moves_what_was_taken_from_it(doc):
     machine = golden_machine(doc)
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     x.ReferenceSource = (doc.getObject("CarriageX"), ["Face6"])  # the top of a 20 mm cube at REFERENCES
     doc.recompute()
     before = V(x.ReferencePoint)
@@ -106,7 +106,7 @@ def test_the_same_part_linked_twice_stands_in_two_places(doc):
         links.append(link)
     top.Placement = P(V(0, 0, 50), R())
     machine = golden_machine(doc)
-    x, y = factory.axis_of(machine, "X"), factory.axis_of(machine, "Y")
+    x, y = tree.axis_of(machine, "X"), tree.axis_of(machine, "Y")
     x.Parts, x.ReferenceSource = [(top, "LinkX.")], (top, ["LinkX.Block."])
     y.Parts, y.ReferenceSource = [(top, "LinkY.")], (top, ["LinkY.Block."])
     x.ReferenceAt = y.ReferenceAt = "Placement"
@@ -134,7 +134,7 @@ def test_a_part_of_another_document_counts_where_its_link_stands(doc, tmp_path):
         link.LinkedObject = part
         link.Placement = P(V(0, 300, 0), R(V(0, 0, 1), 90))
         machine = golden_machine(doc)
-        y = factory.axis_of(machine, "Y")
+        y = tree.axis_of(machine, "Y")
         y.Parts, y.ReferenceSource = [(link, "")], (link, ["Casting."])
         y.ReferenceAt, y.DirectionAlong = "Placement", "Local X"
         doc.recompute()
@@ -150,7 +150,7 @@ def test_a_part_of_another_document_counts_where_its_link_stands(doc, tmp_path):
 
 def test_directions_from_edges_faces_datums_and_local_axes(doc):
     machine = golden_machine(doc)
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     rail = doc.addObject("Part::Cylinder", "Rail")
     rail.Placement = P(V(0, 0, 0), R(V(0, 1, 0), 90))
     line = doc.addObject("PartDesign::Line", "DatumLine")
@@ -172,7 +172,7 @@ def test_directions_from_edges_faces_datums_and_local_axes(doc):
 
 def test_the_default_direction_is_the_local_axis_of_the_same_name_and_the_reference_the_centre_of_mass(doc):
     machine = golden_machine(doc)
-    y = factory.axis_of(machine, "Y")
+    y = tree.axis_of(machine, "Y")
     y.ReferenceSource = None
     doc.recompute()
     assert close(y.Direction, (0, 1, 0)) and y.DirectionFrom == "local Y of CarriageY"
@@ -194,7 +194,7 @@ def test_the_centre_of_mass_of_a_carriage_of_several_parts_weighs_them(doc):
     hole = doc.addObject("Part::Cut", "Bored")  # what a feature of the container has consumed does not count twice
     hole.Base, hole.Tool = large, block(doc, "Drill", (100, 0, 0), 10, pair)
     pair.addObject(hole)
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     x.Parts, x.ReferenceSource = [(pair, "")], None
     doc.recompute()
     masses = [(V(5, 5, 5), 1000), (V(110, 10, 10), 8000), (V(105, 5, 5), -1000)]
@@ -212,7 +212,7 @@ def test_bodies_folders_and_origin_axes(doc):
     folder.addObject(body)
     folder.addObject(extra)
     doc.recompute()
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     x.Parts = [(folder, "")]
     origin = body.Origin
     y_axis = next(o for o in origin.OriginFeatures if o.Name.startswith("Y_Axis"))
@@ -226,10 +226,10 @@ def test_bodies_folders_and_origin_axes(doc):
     x.DirectionSource = None
     x.DirectionAlong, x.Reverse = "Local Y", True
     doc.recompute()
-    names = {w.object.Name for w in extract.parts_of(machine, "X")}
+    names = {w.object.Name for w in tree.parts_of(machine, "X")}
     assert names == {"Carrier", "Extra"}
-    assert extract.owner_of(machine, box) == "X" and extract.owner_of(machine, body, "Pad.Face1") == "X"
-    assert extract.owner_of(machine, doc.getObject("Bed")) == "F"
+    assert tree.owner_of(machine, box) == "X" and tree.owner_of(machine, body, "Pad.Face1") == "X"
+    assert tree.owner_of(machine, doc.getObject("Bed")) == "F"
     jog.jog(machine, {"X": 5})
     assert close(body.Placement.Base, (-5, 0, 30)) and close(extra.Placement.Base, (-4, 1, 1))
     assert close(box.Placement.Base, (0, 0, 0))
@@ -248,11 +248,11 @@ def _skewed(doc, machine):
 
 
 def _parallel(doc, machine):
-    factory.axis_of(machine, "Y").DirectionAlong = "Local X"
+    tree.axis_of(machine, "Y").DirectionAlong = "Local X"
 
 
 def _twice(doc, machine):
-    factory.axis_of(machine, "Y").Parts = [(doc.getObject("CarriageX"), "")]
+    tree.axis_of(machine, "Y").Parts = [(doc.getObject("CarriageX"), "")]
 
 
 def _no_tool_point(doc, machine):
@@ -264,39 +264,39 @@ def _not_in_a_chain(doc, machine):
 
 
 def _no_carriage(doc, machine):
-    factory.axis_of(machine, "Z").Parts = []
+    tree.axis_of(machine, "Z").Parts = []
 
 
 def _no_axis(doc, machine):
-    doc.removeObject(factory.axis_of(machine, "Z").Name)
+    doc.removeObject(tree.axis_of(machine, "Z").Name)
 
 
 def _wrong_container(doc, machine):
     part = doc.addObject("App::Part", "Column")
     part.addObject(doc.getObject("CarriageZ"))
-    factory.axis_of(machine, "X").Parts = [(part, "")]
-    factory.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
+    tree.axis_of(machine, "X").Parts = [(part, "")]
+    tree.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
 
 
 def _no_travel(doc, machine):
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     x.TravelLower = x.TravelUpper = 5
 
 
 def _part_deleted(doc, machine):
     part = doc.addObject("App::Part", "Holder")
     part.addObject(doc.getObject("CarriageZ"))
-    factory.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
+    tree.axis_of(machine, "Z").Parts = [(part, "CarriageZ.")]
     part.removeObject(doc.getObject("CarriageZ"))
     doc.removeObject("CarriageZ")
 
 
 def _edge_lost(doc, machine):
-    factory.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Edge99"])
+    tree.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Edge99"])
 
 
 def _no_direction(doc, machine):
-    factory.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Vertex1"])
+    tree.axis_of(machine, "X").DirectionSource = (doc.getObject("Bed"), ["Vertex1"])
 
 
 @pytest.mark.parametrize(
@@ -332,7 +332,7 @@ def test_a_part_without_a_shape_yet_stands_where_its_placement_is(doc):
     machine = golden_machine(doc)
     empty = doc.addObject("Part::Feature", "Imported")
     empty.Placement.Base = V(1, 2, 3)
-    x = factory.axis_of(machine, "X")
+    x = tree.axis_of(machine, "X")
     x.Parts, x.ReferenceSource = [(empty, "")], None
     doc.recompute()
     assert machine.Problem == "" and close(x.ReferencePoint, (1, 2, 3))
@@ -340,7 +340,7 @@ def test_a_part_without_a_shape_yet_stands_where_its_placement_is(doc):
 
 def test_a_document_without_a_machine_is_refused(doc):
     with pytest.raises(Refused, match="holds no machine"):
-        factory.machine_of(doc)
+        tree.machine_of(doc)
 
 
 def test_indices_of_the_document_are_those_of_the_core(doc):

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import extract, factory, jog, objects, refresh, results
+from sensworkbench.document import extract, jog, objects, refresh, results, tree
 
 from .blocks import REFERENCES, TURNED, P, R, V, block, close, golden_machine
 
@@ -87,8 +87,8 @@ def test_a_carriage_nested_in_what_carries_it_is_moved_once(doc):
     slide.Placement.Rotation = R(V(0, 0, 1), 90)
     block(doc, "BridgeBlock", parent=bridge)
     block(doc, "SlideBlock", parent=slide)
-    factory.axis_of(machine, "X").Parts = [(bridge, "")]
-    y = factory.axis_of(machine, "Y")
+    tree.axis_of(machine, "X").Parts = [(bridge, "")]
+    y = tree.axis_of(machine, "Y")
     y.Parts, y.DirectionAlong = [(bridge, "Slide.")], "Local X"  # turned by 90 degrees
     doc.recompute()
     assert machine.Problem == ""
@@ -100,7 +100,7 @@ def test_a_carriage_nested_in_what_carries_it_is_moved_once(doc):
 def test_writing_the_position_jogs_and_one_undo_brings_all_back(doc):
     machine = golden_machine(doc, "XYFZ")
     before = stand(doc)
-    axis = factory.axis_of(machine, "Y")
+    axis = tree.axis_of(machine, "Y")
     doc.openTransaction("Jog")
     axis.Position = 25
     doc.commitTransaction()
@@ -116,7 +116,7 @@ def test_writing_the_position_jogs_and_one_undo_brings_all_back(doc):
 
 def test_a_position_outside_the_travel_is_put_back(doc):
     machine = golden_machine(doc)
-    axis = factory.axis_of(machine, "X")
+    axis = tree.axis_of(machine, "X")
     axis.Position = 5000
     assert axis.Position.Value == 0 and close(doc.getObject("CarriageX").Placement.Base, REFERENCES["X"])
     with pytest.raises(Refused, match="outside the travel"):
@@ -158,7 +158,7 @@ def test_a_part_inside_a_link_is_refused_because_every_copy_would_move(doc):
     link = doc.addObject("App::Link", "UnitLink")
     link.LinkedObject = unit
     doc.recompute()
-    factory.axis_of(machine, "X").Parts = [(link, "UnitBlock.")]
+    tree.axis_of(machine, "X").Parts = [(link, "UnitBlock.")]
     doc.recompute()
     with pytest.raises(Refused, match="UnitLink"):
         jog.jog(machine, {"X": 10})
@@ -192,7 +192,7 @@ def test_parts_held_by_a_joint_are_refused(doc):
 def test_a_position_by_expression_is_reported_because_a_recompute_moves_nothing(doc):
     machine = golden_machine(doc)
     before = stand(doc)
-    factory.axis_of(machine, "X").setExpression("Position", "40 mm")
+    tree.axis_of(machine, "X").setExpression("Position", "40 mm")
     doc.recompute()
     doc.recompute()
     assert "Axis X" in machine.Problem and "40" in machine.Problem

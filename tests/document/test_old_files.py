@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import base, extract, factory, objects, repair, results, tables
+from sensworkbench.document import base, extract, objects, repair, results, tables, tree
 
 from .blocks import V, golden_machine
 from .stored import values
@@ -98,14 +98,14 @@ def test_a_file_of_an_earlier_schema_opens_with_equal_values(opened, path):
     known = expected(path)
     doc = opened(path)
     check(doc, known)
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     assert extract.core_machine(machine).structure == known["structure"]
     arms = extract.core_machine(machine).lever_arms([[0.0, 0.0, 0.0], [10.0, -20.0, 30.0]])
     for body, arm in known["arms"].items():
         np.testing.assert_allclose(arms[body], arm, rtol=1e-9, atol=1e-9)
     doc.recompute()
     check(doc, known)
-    found = factory.sensitivity_of(machine)
+    found = tree.sensitivity_of(machine)
     assert machine.Problem == "" and not found.Stale
     before = list(found.Total)
     assert before == pytest.approx(list(results.compute(machine).Total), rel=1e-9, abs=1e-12)
@@ -171,10 +171,10 @@ def test_a_document_saved_where_the_add_on_is_missing_keeps_its_data(opened, pat
     assert all(f.mendable for f in found)
     check(doc, known)
     assert repair.examine(doc) == []
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     machine.touch()
     doc.recompute()
-    assert machine.Problem == "" and not factory.sensitivity_of(machine).Stale
+    assert machine.Problem == "" and not tree.sensitivity_of(machine).Stale
 
 
 WITH = """
@@ -218,7 +218,7 @@ def test_a_sound_document_has_no_findings(machine):
 
 
 def test_an_object_without_its_class_is_named_and_works_again(machine):
-    axis = factory.axis_of(machine, "X")
+    axis = tree.axis_of(machine, "X")
     kept = values(axis)
     axis.Proxy = None
     assert not base.alive(axis) and ("Axis X", "problem-without-class") in problems(machine.Document)
@@ -231,17 +231,17 @@ def test_an_object_without_its_class_is_named_and_works_again(machine):
 def test_missing_properties_and_a_missing_table_are_made_anew(machine):
     machine.Weights = V(1, 2, 3)
     machine.removeProperty("Order")
-    machine.Document.removeObject(factory.tolerances_of(machine).Name)
+    machine.Document.removeObject(tree.tolerances_of(machine).Name)
     found = [p.refusal for p in repair.examine(machine.Document) if p.obj == machine]
     assert ["Order"] in [r.fields.get("names") for r in found]
     repair.repair(machine.Document)
     assert machine.Order == 8 and machine.Weights == V(1, 2, 3)
-    assert factory.tolerances_of(machine) is not None and machine.Problem == ""
+    assert tree.tolerances_of(machine) is not None and machine.Problem == ""
     assert repair.examine(machine.Document) == []
 
 
 def test_a_table_that_was_cut_off_keeps_its_whole_rows(machine):
-    table = factory.tolerances_of(machine)
+    table = tree.tolerances_of(machine)
     lower = list(table.Lower)
     lower[0] = -1.0
     table.Lower = lower[:5]
@@ -256,7 +256,7 @@ def test_a_table_that_was_cut_off_keeps_its_whole_rows(machine):
 
 
 def test_a_result_that_was_cut_off_is_marked_stale(machine):
-    found = factory.sensitivity_of(machine)
+    found = tree.sensitivity_of(machine)
     found.Total = [0.5]
     assert ("Sensitivity", "problem-result-uneven") in problems(machine.Document)
     repair.repair(machine.Document)
@@ -290,8 +290,8 @@ def test_a_property_of_a_wrong_type_is_named(machine):
 
 def test_two_axes_of_one_name_and_an_axis_of_no_machine_are_named(machine):
     doc = machine.Document
-    factory.axis_of(machine, "Y").Axis = "X"
-    machine.removeObject(factory.axis_of(machine, "Z"))
+    tree.axis_of(machine, "Y").Axis = "X"
+    machine.removeObject(tree.axis_of(machine, "Z"))
     assert {"problem-body-repeated", "problem-no-machine"} <= {code for _, code in problems(doc)}
     with pytest.raises(Refused):
         extract.core_machine(machine)

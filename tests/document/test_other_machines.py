@@ -15,7 +15,7 @@ from sensworkbench.core.effects import Effect
 from sensworkbench.core.joints import linear
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.shapes import SHAPES
-from sensworkbench.document import base, extract, factory, jog, kinematics, refresh, repair, results, tables
+from sensworkbench.document import base, extract, factory, jog, kinematics, refresh, repair, results, tables, tree
 from sensworkbench.messages import Refused
 
 from .blocks import V, block, close, golden_machine, point
@@ -58,7 +58,7 @@ def test_a_lathe_is_surveyed_by_its_own_axes(lathe):
     core = extract.core_machine(lathe)
     assert lathe.Problem == "" and lathe.Structure == "FZX" and core.names == ("X", "Z")
     assert core == described(lathe)
-    assert close(factory.axis_of(lathe, "X").AbbeOffset, V(40, 0, 10) - V(*POINTS["X"]))
+    assert close(tree.axis_of(lathe, "X").AbbeOffset, V(40, 0, 10) - V(*POINTS["X"]))
     assert dict(lathe.Skew) == {"XZ": "0.0"}
 
 
@@ -83,7 +83,7 @@ def test_tolerances_of_a_lathe_are_its_own(lathe):
     own = {c.symbol for c in extract.core_machine(lathe).components}
     assert extract.core_machine(lathe).all_tolerances == described(lathe).all_tolerances
     factory.set_tolerances(lathe, {"EXX": Tolerance(-0.004, 0.004)}, {"EAZ": "arcsec"})
-    table = factory.tolerances_of(lathe)
+    table = tree.tolerances_of(lathe)
     assert set(table.Symbols) <= own and "EXX" in table.Symbols
     assert extract.core_machine(lathe).all_tolerances["EXX"].upper == 0.004
     assert tables.read_units(lathe)["EAZ"] == "arcsec"
@@ -93,7 +93,7 @@ def test_tolerances_of_a_lathe_are_its_own(lathe):
 
 
 def test_rows_for_an_axis_that_a_machine_has_not_are_left_out(lathe):
-    tables.write_tolerances(factory.tolerances_of(lathe), {"EXY": Tolerance(-1.0, 1.0), "EXX": Tolerance(-2e-3, 2e-3)})
+    tables.write_tolerances(tree.tolerances_of(lathe), {"EXY": Tolerance(-1.0, 1.0), "EXX": Tolerance(-2e-3, 2e-3)})
     found = extract.core_machine(lathe).tolerances
     assert "EXY" not in found and found["EXX"].upper == 2e-3
 
@@ -107,7 +107,7 @@ def test_a_lathe_is_jogged(lathe):
     assert close(doc.getObject("SlideX").Placement.Base, V(*POINTS["X"]) + V(-25.5, 0, 60))
     assert close(doc.getObject("Chuck").Placement.Base, (0, 0, -50))
     assert lathe.Problem == "" and extract.core_machine(lathe) == before
-    factory.axis_of(lathe, "Z").Position = 0.0
+    tree.axis_of(lathe, "Z").Position = 0.0
     jog.home(lathe)
     assert close(doc.getObject("SlideX").Placement.Base, POINTS["X"], 0.0)
     with pytest.raises(Refused) as refusal:
@@ -126,9 +126,9 @@ def test_a_lathe_is_there_again_after_saving(lathe, tmp_path):
     lathe.Document.saveCopy(str(path))
     opened = App.openDocument(str(path))
     try:
-        machine = factory.machine_of(opened)
+        machine = tree.machine_of(opened)
         assert extract.core_machine(machine) == core
-        found = factory.sensitivity_of(machine)
+        found = tree.sensitivity_of(machine)
         assert list(found.Total) == total and not found.Stale
         jog.home(machine)
         assert close(opened.getObject("SlideX").Placement.Base, POINTS["X"])
@@ -169,7 +169,7 @@ def test_a_problem_is_said_in_the_language_that_is_asked_for(lathe):
 
 
 def test_a_rotary_axis_is_refused_by_name_until_documents_hold_them(lathe):
-    factory.axis_of(lathe, "X").Kind = "rotary"
+    tree.axis_of(lathe, "X").Kind = "rotary"
     with pytest.raises(Refused) as refusal:
         extract.core_machine(lathe)
     assert refusal.value.code == "axis-kind-not-in-documents" and refusal.value.fields["axis"] == "Axis X"
@@ -208,7 +208,7 @@ def refused(machine):
 def test_indices_that_are_no_numbers_are_refused_with_their_place_and_never_stored(doc, spoil, value):
     machine = golden_machine(doc)
     stored = list(results.compute(machine).Total)
-    axis = factory.axis_of(machine, "Z")
+    axis = tree.axis_of(machine, "Z")
     if spoil == "Weights":
         machine.Weights = V(value, 1, 1)
     elif spoil == "ReferenceOffset":
@@ -217,13 +217,13 @@ def test_indices_that_are_no_numbers_are_refused_with_their_place_and_never_stor
         setattr(axis, spoil, value)
     found = refused(machine)
     assert ("Golden" if spoil == "Weights" else "Axis Z") in found.where
-    assert list(factory.sensitivity_of(machine).Total) == stored
-    assert np.all(np.isfinite(factory.sensitivity_of(machine).Total))
+    assert list(tree.sensitivity_of(machine).Total) == stored
+    assert np.all(np.isfinite(tree.sensitivity_of(machine).Total))
 
 
 def test_an_offset_that_is_no_number_is_a_finding(doc):
     machine = golden_machine(doc)
-    axis = factory.axis_of(machine, "Z")
+    axis = tree.axis_of(machine, "Z")
     axis.ReferenceOffset = V(math.nan, 0, 0)
     doc.recompute()
     assert "ReferenceOffset" in machine.Problem
@@ -250,7 +250,7 @@ def test_a_change_is_surveyed_once(doc, monkeypatch):
     calls = []
     real = extract.survey
     monkeypatch.setattr(refresh, "survey", lambda m: calls.append(m) or real(m))
-    factory.axis_of(machine, "Z").ReferenceOffset = V(0, 0, 25)
+    tree.axis_of(machine, "Z").ReferenceOffset = V(0, 0, 25)
     doc.recompute()
     found = results.compute_at_once(machine, 10_000)
     assert len(calls) == 1 and not found.Stale

@@ -8,7 +8,7 @@ import Part
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import contacts, examples, extract, factory, proposals, results
+from sensworkbench.document import contacts, examples, factory, proposals, results, tree
 from sensworkbench.document.paths import leaves
 
 from .blocks import block, close, point
@@ -31,14 +31,14 @@ def lumps(tmp_path_factory):
             machine = examples.make_example(doc, structure)
             solids, truth = [], {}
             for body in "FXYZTW":
-                for where in extract.parts_of(machine, body):
+                for where in tree.parts_of(machine, body):
                     for leaf in leaves(where):
                         for solid in leaf.shape().Solids:
                             solids.append(solid)
                             truth[middle(solid)] = body
             path = str(tmp_path_factory.mktemp("step") / f"{structure}.step")
             Part.makeCompound(solids).exportStep(path)
-            axes = {n: factory.axis_of(machine, n) for n in "XYZ"}
+            axes = {n: tree.axis_of(machine, n) for n in "XYZ"}
             known = {
                 "tool": tuple(machine.FunctionalPoint),
                 "chains": (list(machine.WorkpieceChain), list(machine.ToolChain)),
@@ -78,13 +78,13 @@ def test_a_machine_from_one_step_compound_is_the_machine_that_was_written(doc, l
     joined = carried_by(known, structure)
     seen = 0
     for body in "FXYZ":
-        for where in extract.parts_of(machine, body):
+        for where in tree.parts_of(machine, body):
             own = truth[middle(where.shape().Solids[0])]
             assert joined.get(own, own) == body, where.label
             seen += 1
     assert seen == len(truth)
     for name, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))):
-        axis = factory.axis_of(machine, name)
+        axis = tree.axis_of(machine, name)
         assert close(axis.Direction, u)
         low, high = known["travel"][name]
         assert axis.TravelLower.Value <= low < high <= axis.TravelUpper.Value, name  # the rails leave room for more
@@ -105,10 +105,10 @@ def test_a_carriage_of_the_proposal_jogs_as_one(doc, lumps):
     from sensworkbench.document import jog
 
     machine = proposals.machine_from_parts(doc, [read(doc, path)])
-    before = {p.key: p.placement.Base for b in "FXYZ" for p in extract.parts_of(machine, b)}
+    before = {p.key: p.placement.Base for b in "FXYZ" for p in tree.parts_of(machine, b)}
     jog.jog(machine, {"Y": 40})
     for body, step in (("F", 0), ("X", 0), ("Y", 40), ("Z", 40)):
-        for part in extract.parts_of(machine, body):
+        for part in tree.parts_of(machine, body):
             assert close(part.placement.Base - before[part.key], (0, step, 0)), part.label
 
 
@@ -156,7 +156,7 @@ def test_a_proposed_source_gives_the_proposed_direction(doc):
     doc.recompute()
     assert machine.Problem == ""
     for a in found[:3]:
-        assert close(factory.axis_of(machine, a.axis).Direction, a.direction, 1e-9)
+        assert close(tree.axis_of(machine, a.axis).Direction, a.direction, 1e-9)
 
 
 # -- parts -----------------------------------------------------------------------------------------------------------

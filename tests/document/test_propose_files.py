@@ -12,7 +12,7 @@ import pytest
 
 from sensworkbench.cli.verbs import propose as verb
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import extract, factory, jog, results
+from sensworkbench.document import jog, results, tree
 from sensworkbench.document.propose import building, engine, headless
 from sensworkbench.formats import machine_json
 
@@ -27,17 +27,17 @@ def test_the_machine_of_a_proposal_moves_and_computes(doc, name):
     machine = building.build(doc, found)
     assert machine.Problem == "" and machine.Structure == truth.structure
     for axis, u in truth.axes.items():
-        obj = factory.axis_of(machine, axis)
+        obj = tree.axis_of(machine, axis)
         assert abs(np.dot(obj.Direction, u)) > 0.9999999
         low, high = found.axes[axis].travel
         assert (obj.TravelLower.Value, obj.TravelUpper.Value) == (pytest.approx(low), pytest.approx(high))
-    moving = {axis: extract.parts_of(machine, axis)[0] for axis in truth.axes}
+    moving = {axis: tree.parts_of(machine, axis)[0] for axis in truth.axes}
     before = {axis: where.placement.Base for axis, where in moving.items()}
     first = (list(machine.ToolChain) or list(machine.WorkpieceChain))[0]
     step = 0.5 * found.axes[first].travel[1]
     jog.jog(machine, {first: step})
     sense = 1.0 if first in machine.ToolChain else -1.0
-    u = factory.axis_of(machine, first).Direction
+    u = tree.axis_of(machine, first).Direction
     assert close(moving[first].placement.Base - before[first], u * (sense * step), 1e-6)
     with pytest.raises(Refused):
         jog.jog(machine, {first: found.axes[first].travel[1] + 1})
@@ -83,7 +83,7 @@ def test_the_verb_writes_the_proposal_and_the_machine_and_leaves_the_document(sa
     machine = machine_json.load(tmp_path / "out" / "machine.json")
     assert machine.workpiece_chain == ("X",) and machine.tool_chain == ("Y", "Z")
     copy = App.openDocument(str(tmp_path / "out" / "machine.FCStd"))
-    assert factory.machine_of(copy).Problem == ""
+    assert tree.machine_of(copy).Problem == ""
     App.closeDocument(copy.Name)
 
 

@@ -13,7 +13,7 @@ from sensworkbench.core import distributions, workspace
 from sensworkbench.core import machine as core
 from sensworkbench.core.joints import linear
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import base, extract, factory, jog, objects, results, tables
+from sensworkbench.document import base, extract, factory, jog, objects, results, tables, tree
 from sensworkbench.formats.effects_json import of_parameters
 
 from .blocks import REFERENCES, TOOL, V, close, golden_machine
@@ -72,7 +72,7 @@ def test_a_document_with_every_kind_of_object_comes_back_equal(doc, tmp_path):
             assert base.alive(obj) and obj.Proxy.kind == kind
             assert values(obj) == before[name], name
             assert "Touched" not in obj.State
-        machine = factory.machine_of(again)
+        machine = tree.machine_of(again)
         modes = {n: machine.getEditorMode(n) for n in ("Structure", "Inputs", "Squareness")}
         assert modes == {"Structure": ["ReadOnly"], "Inputs": ["Hidden"], "Squareness": []}
         again.recompute()
@@ -150,7 +150,7 @@ def test_tolerances_come_back_as_given_with_their_units(doc):
 
 def test_a_damaged_table_is_refused_by_name(doc):
     machine = golden_machine(doc)
-    factory.tolerances_of(machine).Lower = [0.0]
+    tree.tolerances_of(machine).Lower = [0.0]
     doc.recompute()
     assert "Tolerances" in machine.Problem
 
@@ -160,8 +160,8 @@ def test_an_effect_stands_under_its_body_and_counts_while_it_is_enabled(doc):
     plain = results.compute(machine)
     assert EFFECT.name not in plain.Symbols
     effect = factory.make_effect(machine, EFFECT)
-    assert effect in factory.axis_of(machine, "Z").Group
-    assert factory.owner_machine(effect) == machine
+    assert effect in tree.axis_of(machine, "Z").Group
+    assert tree.owner_machine(effect) == machine
     assert extract.core_effect(effect) == EFFECT
     doc.recompute()
     found = results.compute(machine)
@@ -177,7 +177,7 @@ def test_effects_of_the_spindle_and_the_workpiece_find_their_bodies(doc):
     machine = golden_machine(doc)
     for component, body in (("EZT", "T"), ("EXW", "W")):
         effect = factory.make_effect(machine, of_parameters(component, component, "t", "linear", {"coefficient": 1.0}))
-        assert effect in factory.body_of(machine, body).Group
+        assert effect in tree.body_of(machine, body).Group
 
 
 def test_making_an_axis_twice_is_refused(doc):

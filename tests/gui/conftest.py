@@ -108,14 +108,14 @@ def example_file(tmp_path_factory):
 @pytest.fixture
 def machine(workbench, example_file):
     """The vertical machining centre, in view."""
-    from sensworkbench.document import factory
+    from sensworkbench.document import tree
     from sensworkbench.gui.qt import pump
 
     document = App.openDocument(example_file)
     document.UndoMode = 1
     pump(50)
     look(document)
-    yield factory.machine_of(document)
+    yield tree.machine_of(document)
     _close_all()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from sensworkbench.document import factory
+from sensworkbench.document import tree
 from sensworkbench.gui.qt import pump
 
 from ..document import assemblies
@@ -49,11 +49,11 @@ class TestAssembly:
         Gui.Selection.addSelection(doc.Name, assembly[0].Name, f"{parts['Head'].Name}.Vertex1")
         panel.take.click()
         click("Ok")
-        machine = factory.machine_of(doc)
+        machine = tree.machine_of(doc)
         assert machine.Structure == "XYFZ" and not machine.Problem, machine.Problem
         assert doc.UndoCount == undos + 1
         run("Sens_Sensitivity")
-        assert factory.sensitivity_of(machine).Total
+        assert tree.sensitivity_of(machine).Total
 
     def test_jogging_drives_the_sliders_and_says_what_they_do_not_allow(self, doc, assembly):
         import FreeCADGui as Gui
@@ -68,14 +68,14 @@ class TestAssembly:
         panel.tool_point = (assembly[0], f"{parts['Head'].Name}.Vertex1")
         Gui.Control.showDialog(panel)
         click("Ok")
-        machine = factory.machine_of(doc)
+        machine = tree.machine_of(doc)
         home, undos = parts["Head"].Placement.Base, doc.UndoCount
         jog = TaskJog(machine)
         Gui.Control.showDialog(jog)
         jog.numbers["Z"].setValue(75.0)
         pump(30)
         assert jog.note.text() == "" and (parts["Head"].Placement.Base - home).Length == pytest.approx(75, abs=1e-6)
-        assert factory.axis_of(machine, "Z").Position.Value == pytest.approx(75, abs=1e-6)
+        assert tree.axis_of(machine, "Z").Position.Value == pytest.approx(75, abs=1e-6)
         screenshot("assembly-jog")
         click("Ok")
         assert doc.UndoCount == undos + 1

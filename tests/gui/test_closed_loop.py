@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from sensworkbench.closedloop.trace import trace
-from sensworkbench.document import closed_loop, extract, factory
+from sensworkbench.document import closed_loop, extract, tree
 from sensworkbench.formats import readings_csv
 from sensworkbench.gui import colours, residuals, task_trace
 from sensworkbench.gui import messages as gui_messages
@@ -96,7 +96,7 @@ def test_a_foreign_table_is_understood_and_its_signs_are_asked(machine, machine_
     assert not panel.accept()
     assert any("signs" in m for m in messages())
     close_messages()
-    assert not closed_loop.readings_of(machine) and Gui.Control.activeDialog()
+    assert not tree.readings_of(machine) and Gui.Control.activeDialog()
     choose(panel.answers["sign"], "compensation")
     choose(panel.answers["frame"], "tool_relative_to_workpiece")
     choose(panel.answers["positions"], "programmed")
@@ -104,7 +104,7 @@ def test_a_foreign_table_is_understood_and_its_signs_are_asked(machine, machine_
     assert any("sign of the readings is turned" in panel.findings.item(i).text() for i in range(panel.findings.count()))
     screenshot("readings")
     click("Ok")
-    (table,) = closed_loop.readings_of(machine)
+    (table,) = tree.readings_of(machine)
     assert table.Rows == 480 and machine_doc.UndoCount == undos + 1
     assert "temp_column (K)" in table.Columns and "t (s)" in table.Columns
     rows = simulated.table(extract.core_machine(machine))
@@ -169,12 +169,12 @@ def test_fit_then_trace_then_undo(machine, machine_doc, measured):
     pump(800)
     screenshot("trace-running")
     wait(panel)
-    found = closed_loop.trace_of(panel.table)
+    found = tree.trace_of(panel.table)
     assert found.Verdict == "explained" and machine_doc.UndoCount == undos + 1
     assert "Explained" in text(panel, "Result") and "temp_column" in text(panel, "Result")
     machine_doc.undo()
     pump(task_trace.WATCH + 200)
-    assert closed_loop.trace_of(panel.table) is None and "Not traced yet" in text(panel, "Result")
+    assert tree.trace_of(panel.table) is None and "Not traced yet" in text(panel, "Result")
     click("Close")
 
 
@@ -202,7 +202,7 @@ def test_closing_the_panel_stops_the_search(machine, machine_doc, measured):
     assert task.cancelled and not Gui.Control.activeDialog()
     task.thread.join(60)
     pump(200)
-    assert closed_loop.trace_of(table) is None
+    assert tree.trace_of(table) is None
 
 
 def test_the_pages_say_what_was_found(machine, traced, tmp_path, monkeypatch):
@@ -249,12 +249,12 @@ def _panel():
 def test_effects_are_added_switched_off_and_removed(machine, machine_doc, traced):
     run("Sens_Sensitivity")
     pump(100)
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     names = list(result.Symbols)
     before, undos = state(machine_doc), machine_doc.UndoCount
     run("Sens_AddEffect")
     pump(300)
-    (effect,) = factory.effects_of(machine)
+    (effect,) = tree.effects_of(machine)
     assert machine_doc.UndoCount == undos + 1 and not active("Sens_AddEffect")
     assert effect.Label in result.Symbols  # coloured parts are computed again at once
     screenshot("effect-added")
@@ -272,7 +272,7 @@ def test_effects_are_added_switched_off_and_removed(machine, machine_doc, traced
     assert panel.add.text() == "Remove effects"
     panel.add.click()
     pump(300)
-    assert not factory.effects_of(machine) and list(result.Symbols) == names
+    assert not tree.effects_of(machine) and list(result.Symbols) == names
     click("Close")
     for _ in range(4):
         machine_doc.undo()
@@ -348,7 +348,7 @@ def test_saved_and_opened_again_the_arrows_are_there(machine, machine_doc, trace
     machine_doc.saveCopy(path)
     opened = App.openDocument(path)
     pump(300)
-    (found,) = closed_loop.traces_of(factory.machine_of(opened))
+    (found,) = tree.traces_of(tree.machine_of(opened))
     assert found.ViewObject.ShowResiduals == residuals.BOTH
     assert found.ViewObject.Proxy.arrows.counts["Before"] == 160
     assert found.ViewObject.Proxy.doubleClicked(found.ViewObject)
@@ -373,11 +373,11 @@ def test_an_augmented_document_from_a_batch_run_opens_with_colours_and_effect(ma
     opened = App.openDocument(str(out))
     pump(300)
     look(opened)
-    found = factory.machine_of(opened)
-    (effect,) = factory.effects_of(found)
+    found = tree.machine_of(opened)
+    (effect,) = tree.effects_of(found)
     assert (effect.Component, effect.Enabled) == ("EAZ", True) and effect.ViewObject.Visibility
-    assert factory.sensitivity_of(found).Coloured
-    assert effect.Label in factory.sensitivity_of(found).Symbols  # computed again at once, with the effect in it
+    assert tree.sensitivity_of(found).Coloured
+    assert effect.Label in tree.sensitivity_of(found).Symbols  # computed again at once, with the effect in it
     seen = {one.Name: (one.ViewObject.Visibility, colours.read(one)) for one in opened.Objects if colours._can(one)}
     assert len(seen) > 20
     for name, (visible, _) in seen.items():

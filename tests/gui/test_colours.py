@@ -11,7 +11,7 @@ import zipfile
 import FreeCAD as App
 import pytest
 
-from sensworkbench.document import factory
+from sensworkbench.document import factory, tree
 from sensworkbench.gui import colours, display
 from sensworkbench.gui.colormap import MAPS, NO_DATA, Scale, automatic, colour
 from sensworkbench.gui.qt import QtGui, pump
@@ -20,7 +20,7 @@ from .conftest import differences, look, picture, run, state
 
 
 def result_of(doc):
-    return factory.sensitivity_of(factory.machine_of(doc))
+    return tree.sensitivity_of(tree.machine_of(doc))
 
 
 def hues(image) -> list[int]:
@@ -132,7 +132,7 @@ def test_a_document_computed_without_a_window_shows_its_colours(machine, machine
                 target.writestr(entry, source.read(entry.filename))
     again = App.openDocument(bare)
     pump(200)
-    machine = factory.machine_of(again)
+    machine = tree.machine_of(again)
     result = result_of(again)
     values, scale = display.values(result), display.scale(result)
     for body in ("X", "Y", "Z"):
@@ -250,7 +250,7 @@ def test_deleting_the_result_gives_the_colours_back(machine, machine_doc):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(result)
     run("Std_Delete")
-    assert factory.sensitivity_of(machine) is None
+    assert tree.sensitivity_of(machine) is None
     for name, data in before.items():
         assert colours.read(doc.getObject(name))["colour"] == pytest.approx(data["colour"], abs=0.005)
 

@@ -11,7 +11,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import factory
+from sensworkbench.document import tree
 from sensworkbench.gui import commands
 from sensworkbench.gui.command import GROUPS, NEEDS, REGISTRY
 from sensworkbench.gui.files import ROOT as FOLDER
@@ -134,7 +134,7 @@ def click(text: str) -> None:
 @pytest.mark.parametrize("code", ["XYFZ", "FXYZ", "YFXZ"])
 def test_an_example_is_one_undo_step(doc, workbench, code):
     run(f"Sens_Example{code}")
-    machine = factory.machine_of(App.ActiveDocument)
+    machine = tree.machine_of(App.ActiveDocument)
     assert machine.Structure == code and not machine.Problem
     run("Sens_Sensitivity")
     screenshot(f"example-{code}")
@@ -173,7 +173,7 @@ def own_icon(obj) -> bool:
 def test_double_click_and_context_menu_open_the_panel(machine, machine_doc):
     from sensworkbench.gui.qt import QtGui
 
-    for obj in (machine, factory.axis_of(machine, "X"), factory.tolerances_of(machine), factory.body_of(machine, "T")):
+    for obj in (machine, tree.axis_of(machine, "X"), tree.tolerances_of(machine), tree.body_of(machine, "T")):
         view = obj.ViewObject
         assert own_icon(obj), obj.Label
         menu = QtGui.QMenu()

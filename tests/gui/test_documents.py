@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import extract, factory
+from sensworkbench.document import tree
 from sensworkbench.document.examples import make_example
 from sensworkbench.gui import colours, display, export, review, state
 from sensworkbench.gui import messages as window
@@ -75,7 +75,7 @@ def test_the_buttons_work_on_the_machine_that_is_shown(two, monkeypatch, tmp_pat
     assert written == [machine] and App.ActiveDocument == machine.Document
     button("Sens_OriginalColours").click()
     pump(50)
-    assert not factory.sensitivity_of(machine).Coloured and factory.sensitivity_of(mill).Coloured
+    assert not tree.sensitivity_of(machine).Coloured and tree.sensitivity_of(mill).Coloured
 
 
 def test_what_if_leaves_other_documents_alone(two):
@@ -100,7 +100,7 @@ def test_a_picture_shows_index_colours_whatever_is_selected(machine, machine_doc
     plain = export.picture(machine_doc, 500, 400)
     with state.quietly(machine_doc):  # without the arrows that a click draws
         for body in "FXYZTW":
-            for where in extract.parts_of(machine, body):
+            for where in tree.parts_of(machine, body):
                 Gui.Selection.addSelection(machine_doc.Name, where.root.Name, where.path)
     pump(50)
     chosen = [(s.Object.Name, s.SubElementNames) for s in Gui.Selection.getSelectionEx("", 0)]
@@ -124,14 +124,14 @@ def coloured(image, colour) -> int:
 def test_asking_why_keeps_the_colour_of_the_index(machine, machine_doc):
     run("Sens_Sensitivity")
     dock = review.dock()
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     wanted = display.scale(result).colour(display.values(result)["Z"])
     before = coloured(picture(machine_doc), wanted)
     dock.ranking.table.setCurrentItem(next(i for i in dock.ranking.items() if i.text(1) == "EAZ"))
     pump(30)
     arrows = machine.ViewObject.Proxy.arrows
     assert arrows.outlined and arrows.shown
-    assert [o.Name for o in Gui.Selection.getSelection()] == [factory.axis_of(machine, "Z").Name]
+    assert [o.Name for o in Gui.Selection.getSelection()] == [tree.axis_of(machine, "Z").Name]
     for target in colours.targets(machine)["Z"]:
         assert colours.shown_colour(target.obj) == pytest.approx(wanted, abs=0.01)
     assert coloured(picture(machine_doc), wanted) > 0.6 * before

@@ -34,7 +34,7 @@ def test_the_ranking_is_copied_and_saved_as_csv(dock, machine, monkeypatch, tmp_
     lines = QtGui.QApplication.clipboard().text().splitlines()
     assert len(lines) == 2 and lines[0].split("\t")[:3] == ["#", "Error", "Sᵀ"]
     symbol, total = lines[1].split("\t")[1:3]
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     assert float(total) == pytest.approx(dict(zip(result.Symbols, result.Total))[symbol], rel=1e-5)
     path = tmp_path / "ranking.csv"
     monkeypatch.setattr(window, "ask_save", lambda *_: str(path))
@@ -90,11 +90,11 @@ def test_rows_of_what_if_point_at_their_parts(dock, machine):
     item.setSelected(True)
     pump(20)
     assert machine.ViewObject.Proxy.arrows.outlined
-    assert Gui.Selection.getSelection() == [factory.axis_of(machine, "Y")]
+    assert Gui.Selection.getSelection() == [tree.axis_of(machine, "Y")]
 
 
 def test_the_range_of_colours_stays_until_it_is_computed_anew(dock, machine, machine_doc):
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     before = display.scale(result)
     found = tables.read_tolerances(machine)
     wide = found | {s: t.scaled(0.5) for s, t in found.items() if s in ("EAY", "EBY")}
@@ -111,7 +111,7 @@ def test_the_range_of_colours_stays_until_it_is_computed_anew(dock, machine, mac
 
 
 def test_slices_of_the_error_map_share_one_scale(dock, machine):
-    view = factory.sensitivity_of(machine).ViewObject
+    view = tree.sensitivity_of(machine).ViewObject
     view.ShowErrorMap = True
     view.ErrorMapAs = "Slice Z"
     scales = []
@@ -147,7 +147,7 @@ def close_written():
 
 
 def test_original_colours_come_and_go(dock, machine):
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     run("Sens_OriginalColours")
     assert not result.Coloured
     run("Sens_OriginalColours")

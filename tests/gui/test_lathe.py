@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from sensworkbench.document import extract, factory, results
+from sensworkbench.document import extract, factory, results, tree
 from sensworkbench.gui import errormap, pointers, residuals, review, texts
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_jog import TaskJog
@@ -64,7 +64,7 @@ def test_the_review_shows_it(lathe):
         assert [shown.what_if.axis.itemData(i) for i in range(shown.what_if.axis.count())] == ["X", "Z"]
         shown.what_if.move_scale("Z", (0.0, 50.0, 0.0))
         shown.what_if.reset()
-        assert texts.positions_text(factory.sensitivity_of(lathe)) == "Over the workspace, 8×8 positions"
+        assert texts.positions_text(tree.sensitivity_of(lathe)) == "Over the workspace, 8×8 positions"
         lathe.Aggregate, lathe.At = "at", [10.0, 20.0]
         assert texts.positions_text(results.compute(lathe)) == "At X 10, Z 20 mm"
     finally:
@@ -78,7 +78,7 @@ def test_arrows_places_and_the_map_are_those_of_its_axes(lathe):
     assert errormap.positions(core).shape[1] == 2
     where = residuals.places(core, [[5.0, 7.0]])
     assert where.tolist() == [[45.0, 0.0, 17.0]]
-    drawn = factory.sensitivity_of(lathe).ViewObject.Proxy.map
+    drawn = tree.sensitivity_of(lathe).ViewObject.Proxy.map
     drawn.show(lathe, "viridis", "Upper left", form="Slice Y")
     assert drawn.shown
     drawn.hide()

@@ -13,7 +13,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import closed_loop, extract, factory
+from sensworkbench.document import extract, tree
 from sensworkbench.gui import review, task_machine, task_readings, task_tables, task_trace
 from sensworkbench.gui.panel import Filler
 from sensworkbench.gui.qt import Qt, QtGui, main_window, pump
@@ -114,7 +114,7 @@ def test_panels_of_a_machine(machine, machine_doc, language, command):
     run("Sens_Sensitivity")
     review.hide()
     Gui.Selection.clearSelection()
-    Gui.Selection.addSelection(factory.axis_of(machine, "Z"))
+    Gui.Selection.addSelection(tree.axis_of(machine, "Z"))
     run(command)
     check(state_of(machine_doc).panel.form, f"{command[5:]}-{language}")
 
@@ -145,12 +145,12 @@ def traced(workbench):
     document = App.openDocument(str(TRACED))
     pump(100)
     look(document)
-    yield factory.machine_of(document)
+    yield tree.machine_of(document)
     App.closeDocument(document.Name)
 
 
 def test_the_trace_and_its_tables(traced, language):
-    table = closed_loop.readings_of(traced)[0]
+    table = tree.readings_of(traced)[0]
     panel = task_trace.open_panel(table)
     while panel.task is not None:
         pump(50)

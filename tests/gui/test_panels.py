@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from sensworkbench.core import workspace
-from sensworkbench.document import closed_loop, extract, factory, tables
+from sensworkbench.document import closed_loop, extract, factory, tables, tree
 from sensworkbench.gui import colormap, colours, display, pointers, proposal, review, settings
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.state import of as state_of
@@ -132,14 +132,14 @@ def test_machine_from_selection_proposes_and_is_one_undo_step(doc, workbench):
     before, undos = state(doc), doc.UndoCount
     panel = new_machine(doc)
     pump(50)
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     assert (list(machine.WorkpieceChain), list(machine.ToolChain)) == (["Y", "X"], ["Z"])
-    assert [p.label for p in extract.parts_of(machine, "Z")] == ["Headstock Z"]
+    assert [p.label for p in tree.parts_of(machine, "Z")] == ["Headstock Z"]
     assert not machine.Problem
     panel.table.setCurrentItem(panel.table.topLevelItem(3))
     screenshot("machine")
     click("Ok")
-    assert doc.UndoCount == undos + 1 and factory.machine_of(doc).Structure == "XYFZ"
+    assert doc.UndoCount == undos + 1 and tree.machine_of(doc).Structure == "XYFZ"
     made = state(doc)
     for _ in range(2):
         doc.undo()
@@ -148,7 +148,7 @@ def test_machine_from_selection_proposes_and_is_one_undo_step(doc, workbench):
         doc.redo()
         pump(50)
         assert [d for d in differences(made, state(doc)) if "Parts" in d or " is " in d] == []
-        assert not factory.machine_of(doc).Problem
+        assert not tree.machine_of(doc).Problem
 
 
 def test_machine_from_selection_cancelled_leaves_nothing(doc, workbench):
@@ -178,9 +178,9 @@ def test_parts_directions_and_points_are_picked(doc, workbench):
     Gui.Selection.clearSelection()
     Gui.Selection.addSelection(doc.Name, other.Name)
     panel.take.click()
-    machine = factory.machine_of(doc)
-    assert [p.object.Name for p in extract.parts_of(machine, "X")] == ["Slide"]
-    axis = factory.axis_of(machine, "X")
+    machine = tree.machine_of(doc)
+    assert [p.object.Name for p in tree.parts_of(machine, "X")] == ["Slide"]
+    axis = tree.axis_of(machine, "X")
     assert axis.Direction.y == pytest.approx(np.sin(np.radians(2)))
     assert "Not square" in panel.note.text()
     Gui.Selection.clearSelection()
@@ -199,13 +199,13 @@ def test_parts_directions_and_points_are_picked(doc, workbench):
     assert panel.accept() is False
     close_messages()
     click("Cancel")
-    assert not factory.machines(doc)
+    assert not tree.machines(doc)
 
 
 # -- jog -------------------------------------------------------------------------------------------------------------
 def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     run("Sens_Sensitivity")
-    table = extract.parts_of(machine, "X")[0].object
+    table = tree.parts_of(machine, "X")[0].object
     start, undos = App.Vector(table.Placement.Base), machine_doc.UndoCount
     panel = TaskJog(machine)
     Gui.Control.showDialog(panel)
@@ -213,9 +213,9 @@ def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     panel.numbers["Z"].setValue(60.0)
     pump(100)
     assert (table.Placement.Base - start).x == pytest.approx(-120.0)  # a table goes the other way
-    assert factory.axis_of(machine, "X").Position.Value == 120.0
+    assert tree.axis_of(machine, "X").Position.Value == 120.0
     assert panel.sliders["X"].value() > 500
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     assert "At X 120.0, Y 0.0, Z 60.0 mm" in result.ViewObject.Proxy.legend._content[0].subtitle
     totals = {b: float(panel.table.item(i, 5).text()) for i, b in enumerate("XYZ")}
     scale = colormap.automatic(totals.values())
@@ -228,7 +228,7 @@ def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     machine_doc.undo()
     pump(100)
     assert (table.Placement.Base - start).Length < 1e-9
-    assert factory.axis_of(machine, "X").Position.Value == 0.0
+    assert tree.axis_of(machine, "X").Position.Value == 0.0
 
 
 def test_a_jog_takes_less_than_50_ms_of_work(machine, machine_doc):
@@ -238,7 +238,7 @@ def test_a_jog_takes_less_than_50_ms_of_work(machine, machine_doc):
     Gui.Control.showDialog(panel)
     pump(100)
     core, objective = extract.core_machine(machine), extract.objective(machine)
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     taken = []
     for i in range(9):
         start = time.thread_time()
@@ -280,7 +280,7 @@ def test_jog_cancelled_puts_the_parts_back(machine, machine_doc):
 def test_the_ranking_lists_every_error_largest_first(machine, machine_doc):
     run("Sens_Sensitivity")
     found = review.dock().ranking
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     texts = [[i.text(c) for c in range(7)] for i in found.items()]
     assert len(texts) == len(result.Symbols) == 24
     totals = dict(zip(result.Symbols, result.Total))
@@ -296,16 +296,16 @@ def test_choosing_an_error_lights_up_its_parts_and_shows_arrows(machine, machine
     item = next(i for i in dock.ranking.items() if i.text(1) == "EAZ")
     dock.ranking.table.setCurrentItem(item)
     pump(30)
-    assert Gui.Selection.getSelection() == [factory.axis_of(machine, "Z")]  # in the tree; the parts are outlined
+    assert Gui.Selection.getSelection() == [tree.axis_of(machine, "Z")]  # in the tree; the parts are outlined
     outline = np.array([p for line in machine.ViewObject.Proxy.arrows.outlined for p in line])
     box = App.BoundBox()
-    for leaf in pointers.paths.leaves(extract.parts_of(machine, "Z")[0]):
+    for leaf in pointers.paths.leaves(tree.parts_of(machine, "Z")[0]):
         box.add(leaf.shape().BoundBox)
     assert outline.min(axis=0) == pytest.approx([box.XMin, box.YMin, box.ZMin], abs=3)
     assert outline.max(axis=0) == pytest.approx([box.XMax, box.YMax, box.ZMax], abs=3)
     arrows = machine.ViewObject.Proxy.arrows.shown
     texts = " ".join(a.text for a in arrows)
-    offset = factory.axis_of(machine, "Z").AbbeOffset
+    offset = tree.axis_of(machine, "Z").AbbeOffset
     assert f"{offset.Length:.1f} mm" in texts and "Reference" in texts and "…" in texts
     lever = next(a for a in arrows if "Abbe" in a.text)
     assert np.subtract(lever.end, lever.start) == pytest.approx(tuple(offset))
@@ -317,7 +317,7 @@ def test_choosing_an_error_lights_up_its_parts_and_shows_arrows(machine, machine
 
 def test_clicking_a_part_chooses_its_errors(machine, machine_doc):
     run("Sens_Sensitivity")
-    where = extract.parts_of(machine, "Y")[0]
+    where = tree.parts_of(machine, "Y")[0]
     leaf = pointers.paths.leaves(where)[0]
     Gui.Selection.addSelection(machine_doc.Name, leaf.root.Name, leaf.path + "Face1")
     pump(30)
@@ -329,7 +329,7 @@ def test_clicking_a_part_chooses_its_errors(machine, machine_doc):
 def test_components_and_settings(machine, machine_doc):
     run("Sens_Sensitivity")
     dock = review.dock()
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     assert [b[0] for b in dock.bars.blocks][0] == max(zip(result.ComponentTotal, result.Bodies))[1]
     dock.tabs.setCurrentIndex(1)
     dock.bars.picked.emit("X")
@@ -362,7 +362,7 @@ def test_what_if_changes_nothing_until_apply(machine, machine_doc):
     assert differences(before, state(machine_doc)) == [] and machine_doc.UndoCount == undos
     tab.apply_button.click()
     pump(60)
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     assert dict(zip(result.Symbols, result.Total)) == pytest.approx(then, abs=1e-9)
     assert tables.read_tolerances(machine)["EAY"].upper == pytest.approx(10e-6)
     assert machine_doc.UndoCount == undos + 1
@@ -378,12 +378,12 @@ def test_a_scale_is_moved_in_mind_then_in_the_document(machine, machine_doc):
     dock = review.dock()
     tab = dock.what_if
     dock.tabs.setCurrentIndex(2)
-    axis = factory.axis_of(machine, "Y")
+    axis = tree.axis_of(machine, "Y")
     reference, offset = App.Vector(axis.ReferencePoint), App.Vector(axis.AbbeOffset)
     tab.axis.setCurrentIndex(1)
     tab.shift[2].setValue(150.0)  # nearer to the tool
     then = dict(zip(tab._then.symbols, tab._then.total))
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     assert then["EBY"] < dict(zip(result.Symbols, result.Total))["EBY"]  # a shorter arm, a smaller index
     assert "scale of Y moved by (0, 0, 150) mm" in tab.summary.text()
     rows = [tab.table.topLevelItem(i) for i in range(tab.table.topLevelItemCount())]
@@ -410,7 +410,7 @@ def test_a_scale_is_moved_in_mind_then_in_the_document(machine, machine_doc):
 
 def test_a_changed_tolerance_recolours_at_once(machine, machine_doc):
     run("Sens_Sensitivity")
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     old = list(result.ComponentTotal)
     found = tables.read_tolerances(machine)
     machine_doc.openTransaction("edit")
@@ -427,10 +427,10 @@ def test_live_can_be_switched_off(machine, machine_doc):
     run("Sens_Sensitivity")
     settings.put("Live", False)
     try:
-        factory.axis_of(machine, "X").TravelUpper = 111.0
+        tree.axis_of(machine, "X").TravelUpper = 111.0
         machine_doc.recompute()
         pump(100)
-        result = factory.sensitivity_of(machine)
+        result = tree.sensitivity_of(machine)
         assert result.Stale
         assert "Out of date" in display.legend_text(machine, result).subtitle
     finally:
@@ -442,7 +442,7 @@ def test_error_map_of_points(machine, machine_doc):
     undos = machine_doc.UndoCount
     run("Sens_ErrorMap")
     assert machine_doc.UndoCount == undos + 1
-    result = factory.sensitivity_of(machine)
+    result = tree.sensitivity_of(machine)
     drawn = result.ViewObject.Proxy.map
     assert drawn.shown and drawn.legend.shown
     text, scale, _ = drawn.legend._content
@@ -459,7 +459,7 @@ def test_error_map_as_a_slice_that_slides(machine, machine_doc):
     run("Sens_Sensitivity")
     settings_tab = review.dock().settings
     review.dock().tabs.setCurrentIndex(3)
-    view = factory.sensitivity_of(machine).ViewObject
+    view = tree.sensitivity_of(machine).ViewObject
     drawn = view.Proxy.map
     settings_tab.map.setChecked(True)
     settings_tab.map_as.setCurrentIndex(settings_tab.map_as.findData("Slice Z"))
@@ -473,7 +473,7 @@ def test_error_map_as_a_slice_that_slides(machine, machine_doc):
     settings_tab.map_slider.setSliderDown(True)
     for step in (20, 60, 150):
         settings_tab.map_slider.setSliderPosition(step)
-    axis = factory.axis_of(machine, "Z")
+    axis = tree.axis_of(machine, "Z")
     low, high = axis.TravelLower.Value, axis.TravelUpper.Value
     wanted = low + (high - low) * 150 / 200
     heights = [p.getValue()[2] for p in drawn._coordinates.point.getValues()]
@@ -512,12 +512,12 @@ def test_every_preference_is_honoured(workbench):
         for name, value in wanted.items():
             settings.put(name, value)
         run("Sens_ExampleXYFZ")
-        machine = factory.machine_of(App.ActiveDocument)
+        machine = tree.machine_of(App.ActiveDocument)
         assert (machine.Aggregate, machine.Order, machine.Grid) == ("grid", 6, 4)
         machine.Output = "orientation"
         run("Sens_Sensitivity")
         run("Sens_ErrorMap")
-        result = factory.sensitivity_of(machine)
+        result = tree.sensitivity_of(machine)
         assert list(result.Points) == [4, 4, 4]
         scale = display.scale(result)
         assert (scale.lower, scale.upper, scale.name) == (0.1, 0.7, "cividis")
@@ -527,11 +527,11 @@ def test_every_preference_is_honoured(workbench):
         assert proxy.map.legend._content[0].unit == "″"
         mean = np.sqrt(result.MeanSquare) * 180 * 3600 / np.pi
         assert f"{mean:.3g} ″" in review.dock().head.text() and f"{mean:.3g} ″" in review.dock().what_if.summary.text()
-        machine.Document.removeObject(factory.tolerances_of(machine).Name)
+        machine.Document.removeObject(tree.tolerances_of(machine).Name)
         panel = edit_tolerances(machine)
         assert panel.model.data(cell(panel, "EAX", UNIT)) == "″"
         click("Cancel")
-        factory.axis_of(machine, "X").TravelUpper = 99.0
+        tree.axis_of(machine, "X").TravelUpper = 99.0
         machine.Document.recompute()
         pump(60)
         assert result.Stale
@@ -606,7 +606,7 @@ def test_undo_ends_a_panel_that_holds_a_transaction(machine, machine_doc, comman
     run(command)
     if command == "Sens_Jog":
         state_of(machine_doc).panel.go("X", 100.0)
-        assert factory.axis_of(machine, "X").Position.Value == pytest.approx(100.0)
+        assert tree.axis_of(machine, "X").Position.Value == pytest.approx(100.0)
     else:
         machine.Squareness = "carried"
     machine_doc.undo()

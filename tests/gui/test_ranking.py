@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from sensworkbench.document import factory, tables
+from sensworkbench.document import factory, tables, tree
 from sensworkbench.gui import ranking, review
 from sensworkbench.gui.qt import Qt, pump
 
@@ -41,7 +41,7 @@ def test_values_written_in_place_are_those_of_a_new_table(machine, shown):
     for factors in ({"EAY": 0.3}, {"EAY": 10.0, "EXX": 4.0}):
         widen(machine, **factors)
         fresh = ranking.Ranking()
-        fresh.show_result(machine, factory.sensitivity_of(machine))
+        fresh.show_result(machine, tree.sensitivity_of(machine))
         assert contents(shown) == contents(fresh) != before
         before = contents(shown)
 
@@ -84,7 +84,7 @@ def test_rows_come_and_go_with_their_errors(machine, shown):
     assert len(shown.items()) == 24
     shown.show_result(machine, None)
     assert shown.items() == []
-    shown.show_result(machine, factory.sensitivity_of(machine))
+    shown.show_result(machine, tree.sensitivity_of(machine))
     assert len(shown.items()) == 24
 
 
@@ -93,7 +93,7 @@ def test_errors_of_one_name_have_a_row_each(machine, shown):
         Symbols = ["effect"] * 24
 
         def __getattr__(self, name):
-            return getattr(factory.sensitivity_of(machine), name)
+            return getattr(tree.sensitivity_of(machine), name)
 
     shown.show_result(machine, Twins())
     assert [i.text(ranking.RANK) for i in shown.items()] == [str(k + 1) for k in range(24)]

@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import base, factory, repair
+from sensworkbench.document import base, repair, tree
 from sensworkbench.gui.qt import QtGui, main_window, pump
 from sensworkbench.gui.task_repair import open_panel
 
@@ -37,7 +37,7 @@ def damaged(machine, tmp_path):
     run("Sens_Sensitivity")
     pump(100)
     doc = machine.Document
-    table = factory.tolerances_of(machine)
+    table = tree.tolerances_of(machine)
     table.Lower = list(table.Lower)[:5]
     for obj in doc.Objects:
         if base.kind_of(obj):
@@ -51,7 +51,7 @@ def damaged(machine, tmp_path):
     opened.UndoMode = 1
     pump(400)
     look(opened)
-    return factory.machine_of(opened)
+    return tree.machine_of(opened)
 
 
 def test_a_sound_machine_has_nothing_to_repair(machine, machine_doc):
@@ -92,9 +92,9 @@ def test_a_damaged_document_says_so_once_and_opens_the_repair(damaged):
 def test_damaged_objects_show_it_in_the_tree_and_offer_the_repair(damaged):
     close_messages()
     doc = damaged.Document
-    axis = factory.axis_of(damaged, "X")
+    axis = tree.axis_of(damaged, "X")
     sick = axis.ViewObject.Icon.pixmap(32, 32).toImage()
-    for obj in (damaged, axis, factory.tolerances_of(damaged), factory.body_of(damaged, "T")):
+    for obj in (damaged, axis, tree.tolerances_of(damaged), tree.body_of(damaged, "T")):
         assert not base.alive(obj)
         assert any("Repair" in text for text in entries(obj)), obj.Label
     assert axis.ViewObject.Proxy.doubleClicked(axis.ViewObject)
@@ -120,7 +120,7 @@ def test_damaged_objects_show_it_in_the_tree_and_offer_the_repair(damaged):
 
 def test_a_repaired_result_shows_its_colours_and_legend_again(damaged):
     close_messages()
-    result = factory.sensitivity_of(damaged)
+    result = tree.sensitivity_of(damaged)
     open_panel(damaged.Document).mend.click()
     click("Close")
     run("Sens_Sensitivity")
@@ -137,7 +137,7 @@ def test_a_repaired_result_shows_its_colours_and_legend_again(damaged):
 
 def test_undo_of_a_repair_brings_the_damage_back_and_redo_mends_it(machine):
     doc = machine.Document
-    table = factory.tolerances_of(machine)
+    table = tree.tolerances_of(machine)
     kept = list(table.Upper)
     table.Lower = list(table.Lower)[:5]
     machine.removeProperty("Order")
@@ -156,7 +156,7 @@ def test_undo_of_a_repair_brings_the_damage_back_and_redo_mends_it(machine):
 
 
 def test_a_refusal_names_the_command_where_it_would_help(machine):
-    table = factory.tolerances_of(machine)
+    table = tree.tolerances_of(machine)
     table.Lower = list(table.Lower)[:5]
     machine.Document.recompute()
     run("Sens_Sensitivity")

@@ -11,7 +11,7 @@ import Part
 import pytest
 
 from sensworkbench.core.workspace import Cancelled
-from sensworkbench.document import examples, extract, factory, proposals
+from sensworkbench.document import examples, proposals, tree
 from sensworkbench.document.paths import leaves
 from sensworkbench.gui import proposal, proposal_note, task_machine
 from sensworkbench.gui.qt import QtGui, main_window, pump
@@ -37,30 +37,30 @@ def files(tmp_path_factory):
     doc = App.newDocument("Source")
     machine = examples.make_example(doc, "XYFZ")
     doc.recompute()
-    shapes = {b: [(leaf.object.Label, leaf.shape()) for w in extract.parts_of(machine, b) for leaf in leaves(w)]
+    shapes = {b: [(leaf.object.Label, leaf.shape()) for w in tree.parts_of(machine, b) for leaf in leaves(w)]
               for b in BODIES}  # fmt: skip
     known = {
         "body": {at: b for b in BODIES for _, s in shapes[b] for at in middles(s)},
         "tool": tuple(machine.FunctionalPoint),
-        "travel": {n: (factory.axis_of(machine, n).TravelLower.Value, factory.axis_of(machine, n).TravelUpper.Value)
+        "travel": {n: (tree.axis_of(machine, n).TravelLower.Value, tree.axis_of(machine, n).TravelUpper.Value)
                    for n in "XYZ"},
     }  # fmt: skip
     Part.makeCompound([s for b in BODIES for _, s in shapes[b]]).exportStep(str(folder / "compound.step"))
-    tree = App.newDocument("Tree")
+    nested = App.newDocument("Tree")
     names = {"F": "Bed", "X": "Table X", "Y": "Saddle Y", "Z": "Headstock", "T": "Spindle", "W": "Workpiece"}
     tops = []
     for body in BODIES:
-        holder = tree.addObject("App::Part", "Part")
+        holder = nested.addObject("App::Part", "Part")
         holder.Label = names[body]
         for label, shape in shapes[body]:
-            part = tree.addObject("Part::Feature", "Solid")
+            part = nested.addObject("Part::Feature", "Solid")
             part.Label, part.Shape = label, shape
             holder.addObject(part)
         tops.append(holder)
-    tree.recompute()
+    nested.recompute()
     Import.export(tops, str(folder / "tree.step"))
-    tree.saveAs(str(folder / "tree.FCStd"))
-    for name in (doc.Name, tree.Name):
+    nested.saveAs(str(folder / "tree.FCStd"))
+    for name in (doc.Name, nested.Name):
         App.closeDocument(name)
     return folder, known
 
@@ -83,7 +83,7 @@ def panel():
 
 def bodies(machine) -> dict:
     """Middle of each solid -> the body that it belongs to."""
-    return {at: b for b in BODIES for w in extract.parts_of(machine, b) for leaf in leaves(w)
+    return {at: b for b in BODIES for w in tree.parts_of(machine, b) for leaf in leaves(w)
             for at in middles(leaf.shape())}  # fmt: skip
 
 
@@ -96,7 +96,7 @@ def test_one_compound_becomes_a_machine_in_two_minutes(doc, workbench, files):
     run("Sens_Machine")
     actions += 1
     form, note, table = panel()
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     assert not machine.Problem and machine.Structure == "XYFZ"
     assert "check everything" in note.text() and "Not looked at yet" in note.text()
     screenshot("step-proposed")
@@ -122,12 +122,12 @@ def test_one_compound_becomes_a_machine_in_two_minutes(doc, workbench, files):
     assert bodies(machine) == {at: joined.get(b, b) for at, b in known["body"].items()}
     assert tuple(machine.FunctionalPoint) == pytest.approx(known["tool"], abs=0.01)
     for name in "XYZ":
-        axis = factory.axis_of(machine, name)
+        axis = tree.axis_of(machine, name)
         low, high = known["travel"][name]
         assert axis.TravelLower.Value <= low < high <= axis.TravelUpper.Value
         assert "Reference" in axis.ReferenceSource[0].Label
         box = App.BoundBox()
-        for where in extract.parts_of(machine, name):
+        for where in tree.parts_of(machine, name):
             for leaf in leaves(where):
                 box.add(leaf.shape().BoundBox)
         assert box.isInside(axis.ReferencePoint)
@@ -142,13 +142,13 @@ def test_a_tree_keeps_its_names_and_takes_directions_and_travel_from_its_rails(d
     insert(doc, folder / "tree.step")
     run("Sens_Machine")
     _, note, table = panel()
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     assert not machine.Problem and machine.Structure == "XYFZ"
     flat = not any(o.Label == "Spindle" for o in doc.Objects)  # FreeCAD 0.20 writes no containers
     joined = {"T": "Z", "W": "X"} if flat else {}
     assert bodies(machine) == {at: joined.get(b, b) for at, b in known["body"].items()}
     for name in "XYZ":
-        axis = factory.axis_of(machine, name)
+        axis = tree.axis_of(machine, name)
         low, high = known["travel"][name]
         assert axis.TravelLower.Value <= low < high <= axis.TravelUpper.Value
         assert axis.DirectionSource is not None and abs(axis.Direction["XYZ".index(name)]) == pytest.approx(1)
@@ -158,7 +158,7 @@ def test_a_tree_keeps_its_names_and_takes_directions_and_travel_from_its_rails(d
     assert flat or "the name 'Saddle Y'" in note.text()
     screenshot("step-tree")
     click("Cancel")
-    assert not factory.machines(doc)
+    assert not tree.machines(doc)
 
 
 def test_where_names_and_contacts_disagree_the_note_says_which_parts(doc, workbench, files):
@@ -183,12 +183,12 @@ def test_what_the_user_chooses_is_no_longer_called_a_proposal(doc, workbench, fi
     upright = next(i for i, text in enumerate(rows) if "0.000, 0.000, 1.000" in text)
     shown.suggested.setCurrentIndex(upright)
     shown.suggested.activated.emit(upright)
-    axis = factory.axis_of(shown.machine, "X")
+    axis = tree.axis_of(shown.machine, "X")
     assert abs(axis.DirectionSource[0].Shape.BoundBox.ZLength) > 0 and "parallel" in shown.note.text()
     shown.clear.click()
     assert "parts:" not in shown.guess.text()
     click("Cancel")
-    assert not factory.machines(doc)
+    assert not tree.machines(doc)
 
 
 def test_where_the_geometry_shows_no_machine_the_panel_says_so_and_suggests_directions(doc, workbench):
@@ -203,7 +203,7 @@ def test_where_the_geometry_shows_no_machine_the_panel_says_so_and_suggests_dire
     assert shown.suggested.count() > 3
     assert "has no carriage" in shown.note.text() or "no parts" in shown.note.text()
     screenshot("step-no-machine")
-    assert factory.axis_of(shown.machine, "X").DirectionSource is not None
+    assert tree.axis_of(shown.machine, "X").DirectionSource is not None
     click("Cancel")
 
 

@@ -7,7 +7,7 @@ import FreeCAD as App
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import factory, paths, tips
+from sensworkbench.document import paths, tips, tree
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_machine import new_machine
 
@@ -46,7 +46,7 @@ def test_the_side_of_a_spindle_gives_the_middle_of_its_far_end(spindle):
     doc = spindle.Document
     panel = new_machine(doc)
     take(panel, spindle, element(spindle, "Faces", 240.0))
-    machine = factory.machine_of(doc)
+    machine = tree.machine_of(doc)
     assert machine.FunctionalPoint == App.Vector(60, 250, 180)
     assert machine.ToolPoint[1] == [element(spindle, "Edges", 180.0)]
     assert "x 60.00   y 250.00   z 180.00 mm" in panel.tool_words.text() and "far end" in panel.tool_words.text()
@@ -58,7 +58,7 @@ def test_the_side_of_a_spindle_gives_the_middle_of_its_far_end(spindle):
 def test_a_rim_inside_the_head_is_taken_with_a_word(spindle):
     panel = new_machine(spindle.Document)
     take(panel, spindle, element(spindle, "Edges", 300.0))
-    assert factory.machine_of(spindle.Document).FunctionalPoint.z == 300.0  # as chosen
+    assert tree.machine_of(spindle.Document).FunctionalPoint.z == 300.0  # as chosen
     assert "reaches 120.0 mm past" in panel.tool_words.text()
     take(panel, spindle, element(spindle, "Edges", 180.0))
     assert "reaches" not in panel.tool_words.text()
