@@ -12,15 +12,22 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..messages import Message
+
 
 @dataclass(frozen=True)
 class Finding:
-    """Something noticed while reading: severity "error" | "warning" | "info", code, message, line (0: whole file)."""
+    """Something noticed while reading: severity "error" | "warning" | "info", code, message (English where it is
+    only read as text), line (0: whole file)."""
 
     severity: str
     code: str
-    message: str
+    message: Message | str
     line: int = 0
+
+    def text(self, language: str = "en") -> str:
+        """The message in `language`."""
+        return self.message.text(language) if isinstance(self.message, Message) else self.message
 
 
 @dataclass(frozen=True)

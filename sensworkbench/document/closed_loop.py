@@ -14,7 +14,7 @@ from pathlib import Path
 
 import FreeCAD as App
 
-from ..messages import Refused
+from ..messages import Message, Refused
 from .base import READ_ONLY, Property, SensObject, dress, internal, put, result
 from .extract import core_machine
 from .factory import make_effect
@@ -120,9 +120,13 @@ def make_readings(machine, path, mapping=None, label: str | None = None):
     return obj
 
 
-def finding_words(finding) -> str:
-    """`line 7: ...` of a finding."""
-    return f"line {finding.line}: {finding.message}" if finding.line else finding.message
+def finding_words(finding, language: str = "en") -> str:
+    """`line 7: ...` of a finding, in `language`."""
+    words = finding.text(language)
+    if not finding.line:
+        return words
+    line = Message("line-one", shown=finding.line).text(language)
+    return f"{line}: {words}"
 
 
 def read(obj):

@@ -19,6 +19,7 @@ from sensworkbench.closedloop.design import tool_labels
 from sensworkbench.closedloop.plan import Plan, PlannedTerm
 from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message
 from sensworkbench.studies.plan import PlanResult
 
 from . import column_names, csv_table, readings_csv
@@ -51,7 +52,7 @@ def load(path, noise_um: float, mapping=None) -> Readings:
             columns[f"dir_{axis}"], units[f"dir_{axis}"] = direction, ""
             derived.append(f"dir_{axis}")
     if derived:
-        text = f"{', '.join(derived)} not given: derived from successive places, which are taken in this order"
+        text = Message("remark-direction-derived", columns=derived, order=Message("order-of-file"))
         findings.append(Finding("info", "direction-derived", text))
     positions = replace(positions, columns=columns, units=units, findings=tuple(findings))
     if all(n in bases for n in NORMAL):
@@ -144,7 +145,7 @@ def to_dict(checked: PlanResult) -> dict:
             for a in checked.advice
         ],
         "findings": [
-            {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
+            {"severity": f.severity, "code": f.code, "message": str(f.message), "line": f.line}
             for f in plan.readings.findings
         ],
     }

@@ -25,9 +25,9 @@ ANSWERS = {
     "squareness_sign": ("right_handed", "larger_than_90"),
 }
 NOT_IN_READINGS = {
-    "angles": "readings hold displacements only, so nothing is converted",
-    "squareness": "readings hold displacements only; the machine's own setting decides",
-    "squareness_sign": "readings hold displacements only, so nothing is converted",
+    "angles": "convention-nothing-converted",
+    "squareness": "convention-machine-decides",
+    "squareness_sign": "convention-nothing-converted",
 }
 LONGEST = max(len(key) for key in ANSWERS)
 

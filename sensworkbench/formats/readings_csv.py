@@ -15,6 +15,7 @@ import numpy as np
 from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.joints import Joint, linear
 from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message
 
 from . import column_names, csv_table
 from .column_names import DIRECTION, ERROR, NORMAL, TOOL
@@ -83,19 +84,15 @@ class _Reader:
         value, sense = value[keep], sense[keep]
         given = np.isfinite(value)
         if given.sum() < FEW_ROWS:
-            self._note(
-                "warning", "few-readings", f"only {int(given.sum())} readings: too few to fit a machine's errors"
-            )
+            self._note("warning", "few-readings", count=int(given.sum()))
         if np.abs(value[given]).max() > HUGE_MM:
             row = int(np.argmax(np.nanmax(np.abs(np.where(given, value, 0)), axis=1)))
             line = int(self.table.line[keep][row])
-            self._note(
-                "warning", "huge-reading", f"a reading exceeds {HUGE_MM:g} mm: is it an error, in this unit?", line
-            )
+            self._note("warning", "huge-reading", line, limit=HUGE_MM)
         point, kind = np.nonzero(given)
         u = self.values.get("u", np.full(count, np.nan))[keep]
         if "u" not in self.values:
-            self._note("info", "no-uncertainty", "no u_um column: noise is estimated for each direction of sensing")
+            self._note("info", "no-uncertainty")
         return self._finish(
             keep, derive=True, point=point, sense=sense[given], value=value[given], u=u[point], kind=kind
         )
@@ -103,7 +100,7 @@ class _Reader:
     def positions(self) -> Readings:
         self._read(measured=False)
         if self.table.rows == 0:
-            raise Refused("the file holds no positions", self.table.source, "Give at least one row below the names.")
+            raise Refused("readings-no-positions", self.table.source)
         none = np.empty(0, dtype=int)
         everything = np.ones(self.table.rows, dtype=bool)
         for base in self._drivers():
@@ -113,8 +110,9 @@ class _Reader:
         )
 
     # -- names and answers ---------------------------------------------------------------------------------------
-    def _note(self, severity: str, code: str, message: str, line: int = 0) -> None:
-        self.findings.append(Finding(severity, code, message, line))
+    def _note(self, severity: str, code: str, line: int = 0, said: str = "", **fields) -> None:
+        """Add a remark.  fields : of its message, whose code is "remark-" and `said`, or else `code`."""
+        self.findings.append(Finding(severity, code, Message(f"remark-{said or code}", **fields), line))
 
     def _read(self, measured: bool) -> None:
         table = self.table
@@ -125,19 +123,15 @@ class _Reader:
         for name in (*theirs, *ignored):
             if name not in table.names:
                 raise Refused(
-                    f"the mapping names a column {short(name)} that the file lacks",
+                    "mapping-column-missing",
                     f"{table.source}, line {table.names_line}",
-                    f"The file has {_some_names(table.names)}.",
+                    column=short(name),
+                    known=_some_names(table.names),
                 )
         self._read_answers(header)
         for j, written in enumerate(table.names):
             if written in ignored:
-                self._note(
-                    "info",
-                    "ignored-column",
-                    f"column {short(written)} is ignored, as the mapping asks",
-                    table.names_line,
-                )
+                self._note("info", "ignored-column", table.names_line, column=short(written))
                 continue
             self._read_column(j, theirs.get(written, written), measured)
         for key, value in mapping.items():
@@ -154,7 +148,7 @@ class _Reader:
                 raise Refused("readings-position-missing", where, column=f"{base}_{joint.unit}", needed=columns)
             self._refuse_empty(base)
         if measured and table.rows == 0:
-            raise Refused("the file holds no readings", table.source, "Give rows below the names.")
+            raise Refused("readings-no-rows", table.source)
         self._check_decimals()
         self._positions_answer()
         self._check_directions()
@@ -162,29 +156,30 @@ class _Reader:
     def _check_decimals(self) -> None:
         if len(self.commas) == 2:
             names = [short(self.table.names[self.commas[comma]]) for comma in (True, False)]
-            text = "column {} has decimal commas and column {} decimal points: check that both are meant".format(*names)
-            self._note("warning", "decimal-signs", text, self.table.names_line)
+            self._note("warning", "decimal-signs", self.table.names_line, commas=names[0], points=names[1])
 
     def _read_answers(self, header: Mapping) -> None:
         table = self.table
         self.answers = read_answers(table.comments, header, table.names_line, table.source)
-        for key, what in NOT_IN_READINGS.items():
+        for key, code in NOT_IN_READINGS.items():
             if self._answer(key)[0] != ANSWERS[key][0]:
-                self._note("info", "convention-noted", f"{key}: {self._answer(key)[0]}; {what}", self.answers[key][1])
+                why = Message(code)
+                fields = {"question": key, "answer": self._answer(key)[0]}
+                self._note("info", "convention-noted", self.answers[key][1], why=why, **fields)
 
     def _answer(self, key: str) -> tuple[str, ...]:
         return self.answers[key][0] if key in self.answers else (ANSWERS[key][0],)
 
     def _refuse_twice(self, base: str, where: str) -> None:
         if base in self.values or base in self.categories or (base == "run" and self.run is not None):
-            raise Refused(f"there is a second column for {short(base)}", where, "Keep or rename one of them.")
+            raise Refused("readings-column-twice", where, column=short(base))
 
     def _read_column(self, j: int, written: str, measured: bool) -> None:
         table = self.table
         where = f"{table.source}, line {table.names_line}, column {j + 1}"
         if not written:
             if any(table.cells[j]):
-                raise Refused("a column has no name", where, "Name it in the first row.")
+                raise Refused("readings-column-without-name", where)
             return
         name = column_names.parse(written, where, self.kinds)
         base = name.base
@@ -192,12 +187,10 @@ class _Reader:
         self.column_of[base] = j
         if base == "run":
             self.run = np.array(table.cells[j], dtype=str)
-            self._report_empty(base, [not c for c in table.cells[j]], "these rows are a run without a name")
+            self._report_empty(base, [not c for c in table.cells[j]], "empty-run")
             return
         if not measured and base in (*ERROR, *NORMAL, "reading", "u"):
-            self._note(
-                "info", "reading-ignored", f"column {short(written)} is not needed for positions", table.names_line
-            )
+            self._note("info", "reading-ignored", table.names_line, column=short(written))
             return
         if name.kind == "unknown" and self._is_category(j, written):
             self.categories[base] = np.array(table.cells[j], dtype=str)
@@ -210,17 +203,15 @@ class _Reader:
         self._refuse_infinite(j, values, nan_is_empty=base in (*ERROR, "reading", "u"))
         self._refuse_large(name, values, lambda row: table.place(row, j))
         if table.rows and np.isnan(values).all() and base not in self.places:
-            self._note("warning", "empty-column", f"column {short(written)} is empty and left out", table.names_line)
+            self._note("warning", "empty-column", table.names_line, column=short(written))
             return
         self.values[base], self.units[base] = values, name.unit
         if not name.known:
-            unit = f", in {name.unit}" if name.unit else ", unit unknown"
-            self._note(
-                "info",
-                "unknown-column",
-                f"column {short(written)} is kept as candidate driver {short(base)}{unit}",
-                table.names_line,
-            )
+            fields = {"column": short(written), "driver": short(base)}
+            if name.unit:
+                self._note("info", "unknown-column", table.names_line, unit=name.unit, **fields)
+            else:
+                self._note("info", "unknown-column", table.names_line, "unknown-column-unit", **fields)
 
     def _is_category(self, j: int, written: str) -> bool:
         row = self.table.first_bad(j)
@@ -230,11 +221,9 @@ class _Reader:
         numbers = sum(1 for c in text if csv_table.is_number(c))
         if numbers > 0.5 * len(text):
             raise Refused(
-                f"{short(self.table.cells[j][row])} is not a number, though {numbers} cells of this column are",
-                self.table.place(row, j),
-                "Correct the cell, or make every cell of the column a text.",
+                "readings-not-a-number", self.table.place(row, j), cell=short(self.table.cells[j][row]), count=numbers
             )
-        self._note("info", "category", f"column {short(written)} holds text and is a category", self.table.names_line)
+        self._note("info", "category", self.table.names_line, column=short(written))
         return True
 
     def _refuse_infinite(self, j: int, values: np.ndarray, nan_is_empty: bool) -> None:
@@ -245,15 +234,13 @@ class _Reader:
         written = [r for r in empty if cells[r]]
         if nan_is_empty and written:
             lines = _lines(table.line[written])
-            text = f"column {short(table.names[j])} says {short(cells[written[0]])} in {lines}: taken as not read"
-            self._note("warning", "nan-reading", text, int(table.line[written[0]]))
+            fields = {"column": short(table.names[j]), "cell": short(table.cells[j][written[0]])}
+            self._note("warning", "nan-reading", int(table.line[written[0]]), lines=lines, **fields)
         elif written:
             bad[written] = True
         if bad.any():
             row = int(np.argmax(bad))
-            raise Refused(
-                f"{short(table.cells[j][row])} is not a finite number", table.place(row, j), "Correct the cell."
-            )
+            raise Refused("readings-not-finite", table.place(row, j), cell=short(table.cells[j][row]))
 
     def _refuse_large(self, name: column_names.Name, values: np.ndarray, place) -> None:
         limit = column_names.LARGEST_LENGTH if name.kind == "length" and name.known else column_names.LARGEST
@@ -267,14 +254,13 @@ class _Reader:
         missing = np.isnan(self.values[base])
         if missing.any():
             row = int(np.argmax(missing))
-            raise Refused("the cell is empty", self.table.place(row, self.column_of[base]), "Fill it in.")
+            raise Refused("readings-cell-empty", self.table.place(row, self.column_of[base]))
 
-    def _report_empty(self, base: str, missing, meaning: str) -> None:
+    def _report_empty(self, base: str, missing, said: str) -> None:
         rows = np.flatnonzero(missing)
         if rows.size:
-            lines = self.table.line[rows]
-            text = f"column {short(self.table.names[self.column_of[base]])} is empty in {_lines(lines)}: {meaning}"
-            self._note("warning", "empty-cell", text, int(lines[0]))
+            lines, column = self.table.line[rows], short(self.table.names[self.column_of[base]])
+            self._note("warning", "empty-cell", int(lines[0]), said, column=column, lines=_lines(lines))
 
     # -- conventions ---------------------------------------------------------------------------------------------
     def _positions_answer(self) -> None:
@@ -283,19 +269,12 @@ class _Reader:
             return
         line = self.answers["positions"][1]
         if not axes:
-            raise Refused(
-                "positions of the table are stated without saying of which axes",
-                f"{self.table.source}, line {line}",
-                "Name the axes that carry the workpiece: # positions: table X Y.",
-            )
+            raise Refused("readings-positions-of-which", f"{self.table.source}, line {line}")
         for a in axes:
             self.values[a] = -self.values[a]
             if f"dir_{a}" in self.values:
                 self.values[f"dir_{a}"] = -self.values[f"dir_{a}"]
-        names = ", ".join(a.upper() for a in axes)
-        self._note(
-            "info", "positions-converted", f"positions of {names} are the table's own: their sign is turned", line
-        )
+        self._note("info", "positions-converted", line, axes=[a.upper() for a in axes])
 
     def _check_directions(self) -> None:
         for base in (*DIRECTION, *self.directions):
@@ -306,23 +285,18 @@ class _Reader:
                     row = int(np.argmax(bad))
                     j = self.column_of.get(base)
                     where = self.table.place(row, j) if j is not None else f"mapping, {base}"
-                    raise Refused(f"{values[row]:g} is not a direction of approach", where, "Write -1, 0 or 1.")
+                    raise Refused("readings-no-direction", where, value=float(values[row]))
 
     def _sign_of_readings(self, error, sensed) -> None:
         turned = []
         if self._answer("sign")[0] == "compensation":
-            turned.append(("the file states compensation values", "sign"))
+            turned.append("sign")
         if self._answer("frame")[0] == "table":
-            turned.append(("the file states the table's motion relative to the tool", "frame"))
-        for what, key in turned:
-            self._note("info", "sign-converted", f"{what}: the sign of the readings is turned", self.answers[key][1])
+            turned.append("frame")
+        for key in turned:
+            self._note("info", "sign-converted", self.answers[key][1], f"{key}-converted")
         if "sign" not in self.answers or "frame" not in self.answers:
-            self._note(
-                "info",
-                "sign-assumed",
-                "the file does not state its sign: readings are taken as error = actual - commanded, tool relative to "
-                "workpiece (state it by '# sign: error' and '# frame: tool_relative_to_workpiece')",
-            )
+            self._note("info", "sign-assumed")
         if len(turned) == 1:
             for values in (*error, sensed):
                 np.negative(values, out=values)
@@ -333,14 +307,10 @@ class _Reader:
         present = [n for n in NORMAL if n in self.values]
         if "reading" not in self.values:
             if present:
-                self._note(
-                    "warning", "direction-without-reading", "nx, ny, nz are given without reading_um", table.names_line
-                )
+                self._note("warning", "direction-without-reading", table.names_line)
             return np.full(table.rows, np.nan)
         if len(present) < 3:
-            raise Refused(
-                "reading_um needs its direction", f"{table.source}, line {table.names_line}", "Add columns nx, ny, nz."
-            )
+            raise Refused("readings-without-vector", f"{table.source}, line {table.names_line}")
         reading = self.values["reading"].copy()
         n = np.stack([self.values[a] for a in NORMAL], axis=1)
         length = np.sqrt((n**2).sum(axis=1))
@@ -348,16 +318,14 @@ class _Reader:
         if bad.any():
             row = int(np.argmax(bad))
             raise Refused(
-                f"the direction of sensing has length {length[row]:g}",
+                "readings-vector-not-unit",
                 f"{table.source}, line {int(table.line[row])}, columns nx, ny, nz",
-                "Give a unit vector.",
+                length=float(length[row]),
             )
         off = np.isfinite(reading) & (np.abs(length - 1) > 1e-6)
         if off.any():
             line = int(table.line[np.argmax(off)])
-            self._note(
-                "info", "direction-scaled", f"{int(off.sum())} directions of sensing are made unit vectors", line
-            )
+            self._note("info", "direction-scaled", line, count=int(off.sum()))
         for i, a in enumerate(NORMAL):
             self.values[a] = n[:, i] / np.where(length > 0, length, 1.0)
         return reading
@@ -369,12 +337,10 @@ class _Reader:
     def _kept_rows(self, value: np.ndarray) -> np.ndarray:
         keep = np.isfinite(value).any(axis=1)
         if not keep.any():
-            raise Refused(
-                "the file holds no readings", self.table.source, "Fill ex_um, ey_um, ez_um, or nx, ny, nz, reading_um."
-            )
+            raise Refused("readings-none", self.table.source)
         if not keep.all():
             lines = self.table.line[~keep]
-            self._note("warning", "no-reading", f"no reading in {_lines(lines)}: left out", int(lines[0]))
+            self._note("warning", "no-reading", int(lines[0]), lines=_lines(lines))
         for base in self._drivers():
             missing = np.isnan(self.values[base])
             if not missing.any():
@@ -382,20 +348,19 @@ class _Reader:
             if base in TOOL:
                 self._refuse_empty(base)
             if missing.sum() > MAX_GAPS * len(missing):
-                self._report_empty(base, missing, "too many gaps, the column is left out")
+                self._report_empty(base, missing, "empty-column-left-out")
                 del self.values[base]
             else:
-                self._report_empty(base, missing, "these rows are left out")
+                self._report_empty(base, missing, "empty-rows-left-out")
                 keep &= ~missing
         if not keep.any():
-            raise Refused("no row has both a reading and its conditions", self.table.source, "Fill in the empty cells.")
+            raise Refused("readings-no-whole-row", self.table.source)
         u = self.values.get("u")
         if u is not None and np.any(u <= 0):
             row = int(np.argmax(u <= 0))
             raise Refused(
-                "a standard uncertainty must be above zero",
+                "readings-uncertainty-zero",
                 self.table.place(row, self.column_of["u"]) if "u" in self.column_of else "mapping, u",
-                "Leave the cell empty where it is unknown.",
             )
         if u is not None and np.any(u < column_names.SMALLEST_UNCERTAINTY):
             row = int(np.argmax(u < column_names.SMALLEST_UNCERTAINTY))
@@ -413,7 +378,8 @@ class _Reader:
         line = self.table.line[keep]
         order, said = time_order(columns.get("t"), run)
         if order is not None:
-            self._note("warning", "time-order", said, int(line[backwards(columns["t"])[0] + 1]))
+            back = backwards(columns["t"])
+            self._note("warning", "time-order", int(line[back[0] + 1]), said, count=len(back))
             columns = {k: v[order] for k, v in columns.items()}
             categories = {k: v[order] for k, v in categories.items()}
             run = None if run is None else run[order]
@@ -451,12 +417,8 @@ class _Reader:
                 self.units[f"dir_{a}"] = ""
                 derived.append(f"dir_{a}")
         if derived:
-            order = "time" if "t" in columns else "the file"
-            self._note(
-                "info",
-                "direction-derived",
-                f"{', '.join(derived)} not given: derived from successive positions in the order of {order}",
-            )
+            order = Message("order-of-time" if "t" in columns else "order-of-file")
+            self._note("info", "direction-derived", columns=derived, order=order)
 
 
 def _some_names(names) -> str:
@@ -465,7 +427,8 @@ def _some_names(names) -> str:
     return ", ".join(given[:6]) + (f" and {len(given) - 6} more" if len(given) > 6 else "")
 
 
-def _lines(lines) -> str:
-    shown = ", ".join(str(int(v)) for v in lines[:5])
-    word = "line" if len(lines) == 1 else "lines"
-    return f"{word} {shown}" + (f" and {len(lines) - 5} more" if len(lines) > 5 else "")
+def _lines(lines) -> Message:
+    shown = [int(v) for v in lines[:5]]
+    if len(lines) > 5:
+        return Message("lines-and-more", shown=shown, more=len(lines) - 5)
+    return Message("line-one" if len(lines) == 1 else "lines-few", shown=shown)

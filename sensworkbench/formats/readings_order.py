@@ -14,14 +14,15 @@ def backwards(t) -> np.ndarray:
 
 
 def time_order(t, run) -> tuple[np.ndarray | None, str]:
-    """Return (stable order by time, remark) of rows that are not in it; (None, "") if they are, or have no time."""
+    """Return (stable order by time, remark) of rows that are not in it; (None, "") if they are, or have no time.
+
+    The remark is "time-order", or "time-order-between-runs" where only a new run begins at an earlier time.
+    """
     if t is None or np.all(np.diff(t) >= 0):
         return None, ""
     back = backwards(t)
-    text = f"time runs backwards at {len(back)} places: rows are taken in the order of t"
-    if run is not None and np.all(run[back] != run[back + 1]):
-        text += "; it does so only between runs, which are taken to share one clock"
-    return np.argsort(t, kind="stable"), text
+    between = run is not None and np.all(run[back] != run[back + 1])
+    return np.argsort(t, kind="stable"), "time-order-between-runs" if between else "time-order"
 
 
 def approach_directions(position) -> np.ndarray:

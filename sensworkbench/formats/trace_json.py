@@ -158,7 +158,7 @@ def _plain(result: TraceResult) -> dict:
         "remainder": _left(result.left),
         "outliers": [{"line": o.line, "position_mm": list(o.position)} for o in result.outliers],
         "findings": [
-            {"severity": f.severity, "code": f.code, "message": f.message, "line": f.line}
+            {"severity": f.severity, "code": f.code, "message": str(f.message), "line": f.line}
             for f in result.readings.findings
         ]
         + [{"severity": "warning", "message": str(m), "line": 0} | m.to_dict() for m in result.remarks],

@@ -138,7 +138,7 @@ def _interpolation(value, travel, counts, i: int) -> float:
 
 def remark(code: str, line: int = 0, severity: str = "info", **fields) -> Finding:
     """A remark on a file that was read.  code : of its message."""
-    return Finding(severity, code, Message(code, **fields).text(), line)
+    return Finding(severity, code, Message(code, **fields), line)
 
 
 # -- conventions -----------------------------------------------------------------------------------------------------

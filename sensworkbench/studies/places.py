@@ -10,6 +10,7 @@ import numpy as np
 from ..closedloop.readings import Finding, Readings
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..messages import Message
 
 NEARLY_ALL = 0.8  # of the places, from which far ones are a wrong unit and no slip of single rows
 
@@ -32,5 +33,5 @@ def within_travel(machine: Machine, readings: Readings) -> Readings:
         joint = machine.names[int(np.argmax(ratio))]
         where = f"line {line}" if line else "positions"
         raise Refused("positions-not-of-machine", where, joint=joint, times=float(ratio.max()), count=int(far.sum()))
-    text = f"{len(outside)} places lie outside the travel of the machine, the first in line {line}"
+    text = Message("remark-outside-travel", count=len(outside), line=line)
     return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))

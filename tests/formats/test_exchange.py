@@ -410,7 +410,7 @@ Z      X      EXX    EYX    EZX    EAX    EBX    ECX
     read = isg.loads(text)
     assert [t.symbol for t in read.tables] == ["EXX", "EYX", "EZX", "EAX", "EBX", "ECX"]
     assert read.tables[0].arguments == ("Z", "X")
-    assert {f.message[:3] for f in read.findings} == {"Y0A", "Z0A", "X0B"}
+    assert {f.text()[:3] for f in read.findings} == {"Y0A", "Z0A", "X0B"}
     m, quality, _ = to_machine(machine(fitted={}), read)
     corners = np.array([[0, 0, 0], [10, 0, 0], [0, 0, 100], [10, 0, 100]], dtype=float)
     columns = {"x": corners[:, 0], "z": corners[:, 2]}

@@ -221,7 +221,7 @@ def test_nothing_is_left_out_without_a_word(tmp_path):
     assert readings.points == 18
     assert set(readings.line) == set(range(2, 22)) - {5, 9}
     assert "temp_c" not in readings.columns and "temp_b" in readings.columns
-    said = " ".join(f.message for f in readings.findings)
+    said = " ".join(f.text() for f in readings.findings)
     assert "line 5: these rows are left out" in said
     assert "no reading in line 9: left out" in said
     assert '"temp_c_C"' in said and "the column is left out" in said
@@ -238,7 +238,7 @@ def test_text_columns_are_categories_and_unknown_names_are_reported(tmp_path):
     assert set(readings.categories["operator"]) == {"Ann", "Bo"}
     assert readings.columns["flow"][0] == 4
     assert set(readings.run) == {"7", "8"}
-    assert any(f.code == "unknown-column" and '"flow"' in f.message for f in readings.findings)
+    assert any(f.code == "unknown-column" and '"flow"' in f.text() for f in readings.findings)
 
 
 def test_tool_offsets_are_vectors(tmp_path):
