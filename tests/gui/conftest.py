@@ -171,8 +171,9 @@ def messages():
 def close_messages():
     from sensworkbench.gui.qt import QtGui, main_window, pump
 
-    for box in main_window().findChildren(QtGui.QMessageBox, "SensMessage"):
-        box.close()
+    for name in ("SensMessage", "SensWritten"):
+        for box in main_window().findChildren(QtGui.QMessageBox, name):
+            box.close()
     pump(10)
 
 

@@ -225,8 +225,9 @@ def test_the_pages_say_what_was_found(machine, traced, tmp_path, monkeypatch):
     monkeypatch.setattr(gui_messages, "ask_folder", lambda title: str(tmp_path / "out"))
     panel.report.click()
     assert {p.name for p in (tmp_path / "out").iterdir()} == {
-        "trace.json", "report.html", "machine_augmented.json", "covariance.npz"
+        "trace.json", "report.html", "machine_augmented.json", "covariance.npz", "manifest.json"
     }  # fmt: skip
+    close_messages()
     click("Close")
 
 
@@ -405,7 +406,8 @@ def test_tables_are_written_once_errors_are_fitted(machine, machine_doc, traced,
         folder = tmp_path / name
         monkeypatch.setattr(gui_messages, "ask_folder", lambda _title, folder=folder: str(folder))
         panel.write.click()
-        assert {p.name for p in folder.iterdir()} == {*panel.written.files, "statement.txt"}
+        assert {p.name for p in folder.iterdir()} == {*panel.written.files, "statement.txt", "manifest.json"}
+        close_messages()
         assert (folder / "statement.txt").read_text(encoding="utf-8").rstrip() == said.rstrip()
     screenshot("tables")
     monkeypatch.setattr(gui_messages, "ask_folder", lambda _title: "")
