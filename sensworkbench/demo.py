@@ -156,9 +156,7 @@ def _build_in_freecad(work: Path, structure: str) -> None:
                 stderr=subprocess.DEVNULL,
             ).returncode
         except subprocess.TimeoutExpired:
-            raise Refused(
-                f"FreeCAD did not end within {TIMEOUT} s", "demo", "Try again on a less busy machine."
-            ) from None
+            raise Refused("demo-timeout", "demo", seconds=TIMEOUT) from None
         if status != 0:
             reason = log.read_text(encoding="utf-8") if log.exists() else ""
             raise RuntimeError(f"FreeCAD ended with status {status} while building the example\n{reason}")

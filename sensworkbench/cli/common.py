@@ -140,7 +140,7 @@ def in_freecad() -> bool:
 def hand_over(path, argv) -> int:
     """Run the command line `argv` about the document `path` in a new FreeCAD process; returns its exit status."""
     if not Path(path).is_file():
-        raise Refused("cannot be read: no such file", str(path), "Check the name.")
+        raise Refused("input-missing", str(path))
     return importlib.import_module("sensworkbench.document.handoff").run(argv)
 
 
@@ -170,7 +170,7 @@ def keep_inputs(out, *inputs) -> None:
     """Refuse to write the file `out` over one of the inputs."""
     for given in inputs:
         if same_file(out, given):
-            raise Refused("would be overwritten by the result", str(given), "Choose another name for --out.")
+            raise Refused("out-is-input", str(given))
 
 
 @contextlib.contextmanager

@@ -12,6 +12,7 @@ import importlib
 import io
 import itertools
 import re
+import warnings
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -79,7 +80,9 @@ class _Drawing:
         try:
             if error[0] is None:
                 stream = io.StringIO()
-                self.figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
+                with warnings.catch_warnings():  # text stays text: the reader's own fonts show it
+                    warnings.filterwarnings("ignore", message="Glyph .* missing from")
+                    self.figure.savefig(stream, format="svg", metadata={"Date": None, "Creator": None})
                 self.svg = _inline(stream.getvalue(), self.alt)
         finally:
             self._context.__exit__(*error)

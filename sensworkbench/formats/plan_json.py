@@ -31,13 +31,13 @@ _UNITS = {"K": "C", "mm/min": "mm_min"}
 
 
 # -- in ----------------------------------------------------------------------------------------------------------------
-def load(path, noise_um: float, mapping=None) -> Readings:
+def load(path, noise_um: float, mapping=None, joints=readings_csv.THREE_AXES) -> Readings:
     """A planned table as readings of value 0; approach directions that it lacks are derived from the order of places.
 
     One reading along nx, ny, nz where these are given; else the directions among ex, ey, ez that the names hold; else
     all three.
     """
-    positions = readings_csv.load_positions(path, mapping)
+    positions = readings_csv.load_positions(path, mapping, joints)
     table = csv_table.read(path)
     ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
     bases = {}
@@ -46,7 +46,7 @@ def load(path, noise_um: float, mapping=None) -> Readings:
             bases[column_names.parse(ours.get(name, name)).base] = j
     columns, units, findings = dict(positions.columns), dict(positions.units), list(positions.findings)
     derived = []
-    for axis in POSITION:
+    for axis in (j.column for j in joints):
         direction = readings_csv.approach_directions(columns[axis])
         if f"dir_{axis}" not in columns and direction.any():
             columns[f"dir_{axis}"], units[f"dir_{axis}"] = direction, ""
@@ -67,11 +67,7 @@ def _normals(table, bases, positions) -> np.ndarray:
     bad = ~(np.abs(length - 1) < 1e-2)
     if bad.any():
         row = int(np.argmax(bad))
-        raise Refused(
-            "the direction of sensing is no unit vector",
-            f"{table.source}, line {int(table.line[row])}, columns nx, ny, nz",
-            "Give a unit vector in every row.",
-        )
+        raise Refused("plan-normal-not-unit", f"{table.source}, line {int(table.line[row])}, columns nx, ny, nz")
     order = np.searchsorted(table.line, positions.line)
     return (n / length[:, None])[order]
 

@@ -41,7 +41,7 @@ def run(arguments) -> int:
             values = tuple(j.from_shown(v) for j, v in zip(machine.joints, values))
         options["through"] = values
     if arguments.positions is not None:
-        options["positions"] = readings_csv.load_positions(arguments.positions)
+        options["positions"] = readings_csv.load_positions(arguments.positions, joints=machine.joints)
     written = convert.convert(machine, form.name, arguments.out, language=arguments.language, **options)
     for note in written.notes:
         common.say(note.text())

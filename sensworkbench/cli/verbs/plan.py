@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Refused
 
 from .. import common
 
@@ -34,18 +34,18 @@ def run(arguments) -> int:
     from sensworkbench.formats import plan_html, plan_json, study_files
     from sensworkbench.studies.plan import PlanRequest, plan_study
 
-    readings = None
+    readings, mapping = None, common.mapping(arguments)
+    machine = common.load_machine(arguments.machine)
     if arguments.positions is not None:
-        readings = plan_json.load(arguments.positions, arguments.noise, common.mapping(arguments))
+        readings = plan_json.load(arguments.positions, arguments.noise, mapping, machine.joints)
         common.keep_inputs(Path(arguments.out) / plan_html.SUGGESTED, arguments.positions)
+    request = PlanRequest(arguments.noise, arguments.suggest, arguments.seed)
     try:
-        machine = common.load_machine(arguments.machine)
-        request = PlanRequest(arguments.noise, arguments.suggest, arguments.seed)
         with common.rows_of(arguments.positions):
             study = plan_study(machine, readings, request)
     except Refused as refused:
-        if refused.where == "plan" and arguments.positions is not None:
-            raise Refused(refused.what, arguments.positions, refused.do) from None
+        if refused.code == "plan-few-readings" and arguments.positions is not None:
+            raise refused.at(arguments.positions) from None
         raise
     paths = study_files.write_plan(arguments.out, study)
     for line in plan_json.summary(plan_json.to_dict(study)):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Refused
 
 from .. import common
 
@@ -30,25 +30,27 @@ def run(arguments) -> int:
     from sensworkbench.formats import machine_json, readings_csv, study_files
     from sensworkbench.studies.trace import TraceRequest, trace_study
 
-    readings = readings_csv.load(arguments.readings, common.mapping(arguments))
-    request = TraceRequest(arguments.seed, arguments.permutations)
-    if not common.is_document(arguments.machine):
-        machine = machine_json.load(arguments.machine)
+    mapping = common.mapping(arguments)
+
+    def traced(machine):
+        readings = readings_csv.load(arguments.readings, mapping, machine.joints)
         with common.rows_of(arguments.readings):
-            outcome = trace_study(machine, readings, request)
+            return trace_study(machine, readings, TraceRequest(arguments.seed, arguments.permutations))
+
+    if not common.is_document(arguments.machine):
+        outcome = traced(machine_json.load(arguments.machine))
         paths = study_files.write_trace(arguments.out, outcome)
     else:
         batch = common.batch()
         machine, opened = batch.load_machine(arguments.machine)
         with opened:
-            with common.rows_of(arguments.readings):
-                outcome = trace_study(machine, readings, request)
+            outcome = traced(machine)
 
             def add_document(work, augmented):
                 batch.write_augmented(opened, work / AUGMENTED, augmented)
 
             if common.same_file(Path(arguments.out) / AUGMENTED, arguments.machine):
-                raise Refused("would be overwritten by its own result", arguments.machine, "Choose another folder.")
+                raise Refused("out-is-input-folder", arguments.machine)
             paths = study_files.write_trace(arguments.out, outcome, add_document)
     common.say(outcome.verdict)
     for found in outcome.effects:
