@@ -30,8 +30,8 @@ from .common import DEFECT, INTERRUPTED, REFUSED, hand_over, in_freecad, is_docu
 _VALUE_WITH_MINUS = re.compile(r"-(\d|\.\d|nan\b|inf\b)", re.IGNORECASE)
 
 
-class _Parser(argparse.ArgumentParser):
-    """Refuses instead of ending the program, so that every way out passes through `main`."""
+class Parser(argparse.ArgumentParser):
+    """A parser that refuses instead of ending the program, so that every way out passes through `main`."""
 
     def error(self, message):
         raise Refused(message, self.prog, f"See {self.prog} --help.")
@@ -39,13 +39,13 @@ class _Parser(argparse.ArgumentParser):
 
 def parser() -> argparse.ArgumentParser:
     """The grammar of the command line, made from the modules of `verbs`."""
-    top = _Parser(
+    top = Parser(
         prog="python -m sensworkbench",
         description="Which part of a machine tool spoils its accuracy, and what the error model lacks.",
         allow_abbrev=False,
     )
     top.add_argument("--version", action="version", version=f"Sens Workbench {__version__}")
-    places = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=_Parser)
+    places = top.add_subparsers(dest="verb", metavar="VERB", required=True, parser_class=Parser)
     for name in verbs.names():
         module = verbs.load(name)
         place = places.add_parser(name, help=module.HELP, description=module.HELP, allow_abbrev=False)

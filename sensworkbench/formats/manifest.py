@@ -24,6 +24,7 @@ CONVENTIONS = {
     "standards": "ISO 230-1:2012, ISO 230-7, ISO 841",
     "units": "mm, rad, s and kelvin from 20 degC inside; um and urad in results",
 }
+MADE_BY = f"Sens Workbench {__version__}"
 _SUM = re.compile(r"[0-9a-f]{64}")
 _LIMIT = 2**22
 
@@ -58,7 +59,7 @@ def made(verb: str, folder: Path, names: list[str], result: str | None) -> dict:
             rows.append({"name": name, "sha256": digest, "bytes": count})
     entry = {
         "verb": verb,
-        "made_by": f"Sens Workbench {__version__}",
+        "made_by": MADE_BY,
         "command": list(run.command) if run else [],
         "seed": run.seed if run else None,
         "conventions": CONVENTIONS,

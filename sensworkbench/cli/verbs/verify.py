@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`verify RESULT`: whether files of results are whole, and the same when they are computed again."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import tempfile
+from pathlib import Path
+
+from sensworkbench.core.refusal import Refused
+
+from .. import common
+
+HELP = "whether results are whole and come out the same again"
+FILES = "none; says what differs"
+
+
+def add(parser) -> None:
+    parser.add_argument("result", metavar="RESULT", help="a folder of results, or one result file")
+    parser.add_argument("--sums-only", action="store_true", help="compare the sums, compute nothing again")
+
+
+def run(arguments) -> int:
+    from sensworkbench.formats import file_sets
+
+    folder, path, name = _manifest(arguments.result)
+    file_sets.recover(folder)
+    from sensworkbench.formats import manifest
+
+    differs = 0
+    for entry in manifest.load(path)["sets"]:
+        for words in check_set(folder, entry, name, recompute=not arguments.sums_only):
+            differs += not words.startswith(("same:", "note:"))
+            common.say(words)
+    common.say("verified" if not differs else f"{differs} differences")
+    return common.DONE if not differs else common.REFUSED
+
+
+def _manifest(result) -> tuple[Path, Path, str | None]:
+    """(folder of the set, its manifest, the single result file or None).  Refuses a result that has no manifest."""
+    from sensworkbench.formats import manifest
+
+    path = Path(result)
+    if path.is_dir():
+        places = [(path, path / manifest.NAME, None)]
+    else:
+        own = path.with_name(manifest.name_of(path.name))
+        places = [(path.parent, own, path.name), (path.parent, path.parent / manifest.NAME, None)]
+        if path.name == manifest.NAME:
+            places = [(path.parent, path, None)]
+        elif path.name.endswith("." + manifest.NAME):
+            places = [(path.parent, path, path.name.removesuffix("." + manifest.NAME))]
+    if not path.exists():
+        raise Refused("verify-nothing", str(result))
+    for place in places:
+        if place[1].is_file():
+            return place
+    raise Refused("verify-no-manifest", str(result))
+
+
+def check_set(folder: Path, entry: dict, name: str | None, recompute: bool = True):
+    """Say, sentence by sentence, what of one set is the same and what is not.
+
+    entry : the set in the manifest of `folder`.  name : the single result, or None for a set of files.
+    """
+    from sensworkbench.formats import manifest, provenance
+
+    verb, whole = entry["verb"] or "results", True
+    if entry["made_by"] != manifest.MADE_BY:
+        yield f"note: {verb}: made by {entry['made_by']}, this is {manifest.MADE_BY}"
+    for over in entry.get("written_over", ()):
+        yield f"note: {verb}: {over} has been written over by another verb"
+    for file in entry["files"]:
+        path = folder / file["name"]
+        if not path.is_file():
+            whole = False
+            yield f"missing: {path}"
+        elif provenance.sha256(path)[0] != file["sha256"]:
+            whole = False
+            yield f"changed: {path} is not the file that was written"
+    found = {}
+    for given in entry["inputs"]:
+        path = _input(folder, given["path"])
+        if path is None:
+            yield f"missing: the input {given['path']}"
+        elif provenance.sha256(path)[0] != given["sha256"]:
+            yield f"changed: the input {path} is not the file that was read"
+        else:
+            found[given["path"]] = str(path)
+    if whole:
+        yield f"same: {len(entry['files'])} files of {verb} are as they were written"
+    if not recompute or len(found) < len(entry["inputs"]):
+        return
+    if not entry["command"] or entry["command"][0] != entry["verb"]:
+        inside = entry["command"][0] if entry["command"] else "a program or a window"
+        yield f"note: {verb}: made within {inside}, not computed again"
+        return
+    yield from _again(folder, entry, name, found)
+
+
+def _input(folder: Path, path: str) -> Path | None:
+    """Where an input is now: as it was named, from here or from the folder of the results, or beside them."""
+    for place in (Path(path), folder / path, folder / Path(path).name, folder.absolute().parent / Path(path).name):
+        if place.is_file():
+            return place
+    return None
+
+
+def _again(folder: Path, entry: dict, name: str | None, found: dict[str, str]):
+    """Run the command again and say what differs."""
+    from sensworkbench.formats import comparison
+
+    from ..program import main
+
+    words = [_with_inputs(word, found) for word in entry["command"]]
+    with tempfile.TemporaryDirectory(prefix="sens-verify-") as place:
+        out = Path(place, "out") if name is None else Path(place, name)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(said):
+            status = main([words[0], f"--out={out}", *words[1:]])
+        if status != common.DONE:
+            yield f"differs: the command is now refused: {said.getvalue().strip()[:200]}"
+            return
+        alike = 0
+        for file in entry["files"]:
+            now = (out if name is None else out.parent) / file["name"]
+            before = folder / file["name"]
+            if not before.is_file():
+                continue
+            if not now.is_file():
+                yield f"differs: {file['name']} is not written any more"
+                continue
+            different = comparison.differences(before, now)
+            alike += not different
+            for words_ in different:
+                yield f"differs: {file['name']}: {words_}"
+        extra = sorted(p.name for p in out.iterdir()) if name is None else []
+        known = {f["name"] for f in entry["files"]} | {"manifest.json"}
+        for new in (n for n in extra if n not in known and not (out / n).is_dir()):
+            yield f"differs: {new} is new"
+        yield f"same: {alike} files of {entry['verb']} come out the same again"
+
+
+def _with_inputs(word: str, found: dict[str, str]) -> str:
+    for path, now in found.items():
+        if word == path or word.endswith("=" + path):
+            return word.removesuffix(path) + os.path.abspath(now)
+    return word
