@@ -11,6 +11,7 @@
 # One test: .venv/bin/python -m pytest FILE::NAME, or .venv/bin/python tests/run_in_freecad.py [--gui] FILE::NAME
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
 # make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
+# make fuzz    half a million changed files, each read or refused; the count is printed (FUZZ_INPUTS=N, FUZZ_SEED=N)
 # make screens  a picture of every panel on each FreeCAD that is there: three sizes of screen, light and dark, in build/screens/
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
@@ -24,7 +25,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
+.PHONY: fuzz help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
         test-matrix bench translations screens clean
 
 help:
@@ -81,6 +82,9 @@ test-matrix:
 bench: venv
 	$(VENV_PYTHON) benchmarks/indices.py
 	$(VENV_PYTHON) benchmarks/recolour.py
+
+fuzz: venv
+	$(VENV_PYTHON) tests/fuzz/run.py --inputs $(or $(FUZZ_INPUTS),500000) --seed $(or $(FUZZ_SEED),0)
 
 translations:
 	$(PYTHON) resources/translations/update.py

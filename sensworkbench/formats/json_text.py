@@ -149,7 +149,7 @@ def path_text(path: tuple) -> str:
         out += (
             f"[{step}]"
             if isinstance(step, int)
-            else ("." if out else "") + (step if len(step) <= 60 else step[:59] + "…")
+            else ("." if out else "") + (step if len(step) <= 40 else step[:39] + "…")
         )
     return out
 
@@ -183,8 +183,7 @@ class Place:
             raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
         for key in self.value:
             if key not in allowed and not key.startswith("x-"):
-                names = ", ".join(allowed)
-                raise self[key].refuse(f"unknown key {short(key)}", f'Known here: {names}; begin your own with "x-".')
+                raise self[key].refuse("json-key-unknown", known=list(allowed))
         for key in required:
             if key not in self.value:
                 raise self.refuse(f"{short(key)} is missing")

@@ -163,7 +163,7 @@ def _row(names: list[str], cells: list[str], where: str, known) -> tuple[str, To
         elif column != "sigma":
             raise Refused("tolerance-limit-missing", f"{where}, column {column}", symbol=c.symbol, limit=column)
     if values["upper"] < values["lower"]:
-        words = f"upper limit {row['upper']} is below lower limit {row['lower']}"
+        words = f"upper limit {row['upper'][:30]} is below lower limit {row['lower'][:30]}"
         raise Refused(words, f"{where}, column upper", "Exchange the two limits.")
     try:
         law = row["distribution"] or "uniform"

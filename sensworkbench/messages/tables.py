@@ -13,6 +13,7 @@ import string
 from functools import cache
 from pathlib import Path
 
+LONGEST = 120  # characters of a text that a sentence repeats
 LANGUAGES = ("en", "de", "ko")
 _FOLDER = Path(__file__).parent
 
@@ -60,6 +61,8 @@ class Filler(string.Formatter):
     def format_field(self, value, format_spec):
         if hasattr(value, "code") and hasattr(value, "text"):  # a message within a message
             value = value.text(self.language)
+        elif isinstance(value, str) and len(value) > LONGEST:  # a cell of somebody's file, say
+            value = value[: LONGEST - 1] + "…"
         elif isinstance(value, (list, tuple)):
             return ", ".join(self.format_field(v, format_spec) for v in value)
         return super().format_field(value, format_spec)
