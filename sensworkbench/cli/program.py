@@ -34,6 +34,7 @@ class Parser(argparse.ArgumentParser):
     """A parser that refuses instead of ending the program, so that every way out passes through `main`."""
 
     def error(self, message):
+        """Refuse the words, with where they are explained."""
         raise Refused(message, self.prog, f"See {self.prog} --help.")
 
 
