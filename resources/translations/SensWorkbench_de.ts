@@ -909,11 +909,6 @@
       <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>Proposed from rails, screws and contacts: check everything.</source>
-      <translation>Vorgeschlagen nach Schienen, Spindeln und Berührungen: bitte alles prüfen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Quadrature, positions per axis</source>
       <translation>Quadratur, Positionen je Achse</translation>
@@ -1282,11 +1277,6 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The fit stopped: {error}. The report view holds the details; please send them in with the readings.</source>
       <translation>Die Anpassung brach ab: {error}. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>The geometry does not show which part is which: choose bed and carriages.</source>
-      <translation>Die Geometrie zeigt nicht, welches Teil was ist: Bett und Schlitten wählen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />

@@ -909,11 +909,6 @@
       <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>Proposed from rails, screws and contacts: check everything.</source>
-      <translation>레일, 나사, 접촉을 보고 제안했습니다. 모두 확인하십시오.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Quadrature, positions per axis</source>
       <translation>구적법, 축당 위치 수</translation>
@@ -1282,11 +1277,6 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The fit stopped: {error}. The report view holds the details; please send them in with the readings.</source>
       <translation>맞춤이 중단되었습니다: {error}. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>The geometry does not show which part is which: choose bed and carriages.</source>
-      <translation>형상만으로는 부품을 구분할 수 없습니다. 베드와 이송대를 선택하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />

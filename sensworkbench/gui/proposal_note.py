@@ -9,35 +9,113 @@ from __future__ import annotations
 from contextlib import contextmanager
 
 from ..core.workspace import Cancelled
+from ..messages import Message
 from . import pointers
 from .preferences import combo
-from .proposal import BODIES, Proposal, selected_links
+from .proposal import Shown, language, selected_links
 from .qt import Qt, QtGui, main_window, translate
 from .sources import vector_words
 from .texts import body_kind
 
-PIECES = {  # property -> the word that begins its piece of a reason
+PIECES = {  # property -> the piece of a reason that speaks of it
     "Parts": "parts", "DirectionSource": "direction", "DirectionAlong": "direction", "Reverse": "direction",
     "ReferenceSource": "reference", "ReferenceAt": "reference", "TravelLower": "travel", "TravelUpper": "travel",
 }  # fmt: skip
 
 
-class ProposalNote(QtGui.QLabel):
-    """A box at the top of the panel; hidden where nothing but names was looked at.  given : whether it is shown."""
+class ProposalNote(QtGui.QFrame):
+    """A box at the top of the panel: the reasons, and one question at a time; hidden where nothing was proposed.
 
-    def __init__(self, found: Proposal):
+    answers : what the person has said so far, as `engine.again` takes it.  answer(name, value) : called with each.
+    """
+
+    def __init__(self, shown: Shown, answer):
         super().__init__()
-        self.proposal, self.given = found, bool(found.reasons or found.notes)
-        self.reasons = dict(found.reasons)
-        self.body, self.lit = "F", set()
-        self.waiting = [body for body in BODIES if found.parts[body]] if self.given else []
-        self.setObjectName("SensProposal")
-        self.setWordWrap(True)
-        self.setTextFormat(Qt.RichText)
-        self.setStyleSheet("QLabel { background: #fff3c4; color: #2b2b2b; border: 1px solid #d9a400; padding: 5px }")
+        self.answers, self._answer = {}, answer
+        self.setObjectName("SensProposalBox")
+        self.setStyleSheet("#SensProposalBox { background: #fff3c4; border: 1px solid #d9a400 }")
+        page = QtGui.QVBoxLayout(self)
+        page.setContentsMargins(5, 5, 5, 5)
+        self.label, self.question = QtGui.QLabel(), QtGui.QLabel()
+        for label, name in ((self.label, "SensProposal"), (self.question, "SensQuestion")):
+            label.setObjectName(name)
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.RichText)
+            label.setStyleSheet("color: #2b2b2b")
+            page.addWidget(label)
+        self.buttons = QtGui.QVBoxLayout()
+        page.addLayout(self.buttons)
+        self.lit = set()
+        self.renew(shown)
+
+    def renew(self, shown: Shown) -> None:
+        """Another proposal, after an answer."""
+        self.proposal = shown
+        self.given = shown.found is not None
+        self.reasons = {subject: list(pieces) for subject, pieces in shown.reasons.items()}
+        self.body = "F"
+        self.waiting = list(shown.bodies)
         self.setVisible(self.given)
         self._write()
+        self._ask()
 
+    def text(self) -> str:
+        """What the box says."""
+        return self.label.text()
+
+    def told(self, name: str, value) -> None:
+        """The person has chosen in the panel itself: it counts as an answer in what is weighed later."""
+        self.answers[name] = value
+        if self.asked is not None and self.asked.name == name:
+            self._ask()
+
+    # -- the question ------------------------------------------------------------------------------------------------
+    def _ask(self) -> None:
+        while self.buttons.count():
+            widget = self.buttons.takeAt(0).widget()
+            widget.setParent(None)
+            widget.deleteLater()
+        open_ = [q for q in self.proposal.found.questions if q.name not in self.answers] if self.given else []
+        self.asked = open_[0] if open_ else None
+        self.question.setVisible(self.asked is not None)
+        if self.asked is None:
+            return
+        question = self.asked
+        self.question.setText(f"<b>{_safe(question.message.text(language()))}</b>")
+        if question.kind in ("part", "parts"):
+            self._button(Message("propose-panel-answer"), self.take)
+            if question.name == "bed" and self.proposal.found.bodies.get("F"):
+                units = self.proposal.found.bodies["F"]
+                part = max(units, key=lambda u: u.bulk)
+                self._button(Message("propose-choice-yes"), lambda: self._say("bed", part))
+        elif question.kind == "travel":
+            name = question.name.partition(":")[2]
+            travel = self.proposal.found.axes[name].travel
+            self._button(Message("propose-panel-keep"), lambda: self._say(question.name, travel))
+        for value, message in question.choices:
+            self._button(message, lambda v=value: self._say(question.name, v))
+
+    def _button(self, message: Message, press) -> None:
+        button = QtGui.QPushButton(message.text(language()))
+        button.setObjectName("SensAnswer")
+        button.clicked.connect(lambda *_: press())
+        self.buttons.addWidget(button)
+
+    def take(self) -> None:
+        """The selected parts answer the question."""
+        links = [link for link in selected_links() if link not in self.lit]
+        if self.asked is None:
+            return
+        if not links:
+            self.question.setText(_safe(Message("propose-panel-select").text(language())))
+            return
+        self._say(self.asked.name, links)
+
+    def _say(self, name: str, value) -> None:
+        self.answers[name] = value
+        self._answer(name, value)
+
+    # -- the reasons -------------------------------------------------------------------------------------------------
     def look_at(self, body: str) -> None:
         """The user turns to this component, and has seen the one before."""
         self.waiting = [b for b in self.waiting if b not in (body, self.body)]
@@ -46,14 +124,13 @@ class ProposalNote(QtGui.QLabel):
 
     def drop(self, subject: str, name: str = "", instead: str = "") -> None:
         """The user has chosen himself: the reason for the old choice no longer holds."""
-        pieces = [p for p in self.reasons.get(subject, "").split("; ") if p]
         word = PIECES.get(name, "")
-        kept = [p for p in pieces if word and not p.startswith(f"{word}:")]
+        kept = [piece for piece in self.reasons.get(subject, ()) if word and piece[0] != word]
         if subject == "F" or not word:
             kept = []
         if instead:
-            kept.insert(0, f"{word}: {instead}")
-        self.reasons[subject] = "; ".join(kept)
+            kept.insert(0, (word, instead))
+        self.reasons[subject] = kept
         self._write()
 
     def light_up(self, machine, body: str) -> None:
@@ -62,7 +139,7 @@ class ProposalNote(QtGui.QLabel):
 
         if not self.given or set(selected_links()) - self.lit:
             return
-        if machine.Problem and not self.proposal.parts[body]:
+        if machine.Problem and body not in self.proposal.bodies:
             Gui.Selection.clearSelection()
         else:
             pointers.select_parts(machine, [body])
@@ -77,30 +154,30 @@ class ProposalNote(QtGui.QLabel):
 
     def icon(self, body: str):
         """A question mark for what was not looked at yet, a tick for what was; nothing without a proposal."""
-        if not self.given or not self.proposal.parts[body]:
+        if not self.given or body not in self.proposal.bodies:
             return QtGui.QIcon()
         kind = QtGui.QStyle.SP_MessageBoxQuestion if body in self.waiting else QtGui.QStyle.SP_DialogApplyButton
         return self.style().standardIcon(kind)
 
     def _write(self) -> None:
-        if self.proposal.geometry:
-            lines = [translate("Sens", "Proposed from rails, screws and contacts: check everything.")]
-        else:
-            lines = [translate("Sens", "The geometry does not show which part is which: choose bed and carriages.")]
-        lines[0] = f"<b>{lines[0]}</b>"
+        if not self.given:
+            return
+        found = self.proposal.found
+        head = Message("propose-panel-check" if found.axes else "propose-panel-nothing")
+        lines = [f"<b>{_safe(head.text(language()))}</b>"]
         for subject, title in (
             ("structure", translate("Sens", "Structure")), ("tool point", translate("Sens", "Tool point")),
         ):  # fmt: skip
-            if self.reasons.get(subject):
-                lines.append(f"{title}: {_safe(self.reasons[subject])}")
+            for _, piece in self.reasons.get(subject, ()):
+                lines.append(f"{title}: {_words(piece)}")
         if self.reasons.get(self.body):
             lines.append(f"<b>{_safe(body_kind(self.body))}</b>")
-            lines += [f"• {_safe(piece)}" for piece in self.reasons[self.body].split("; ")]
-        lines += [_safe(note) for note in self.proposal.notes]
+            lines += [f"• {_words(piece)}" for _, piece in self.reasons[self.body]]
+        lines += [_words(note) for note in self.proposal.notes]
         if self.waiting:
             names = ", ".join(body_kind(b) for b in self.waiting)
             lines.append(translate("Sens", "Not looked at yet: {names}").format(names=_safe(names)))
-        self.setText("<br>".join(lines))
+        self.label.setText("<br>".join(lines))
 
     def directions_box(self, take):
         """A choice of all directions that the geometry suggests, or None; `take(AxisProposal)` answers it."""
@@ -118,6 +195,10 @@ class ProposalNote(QtGui.QLabel):
 
         box.activated.connect(chosen)
         return box
+
+
+def _words(piece) -> str:
+    return _safe(piece.text(language()) if isinstance(piece, Message) else str(piece))
 
 
 def _safe(text: str) -> str:

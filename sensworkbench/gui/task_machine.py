@@ -19,6 +19,7 @@ from ..core.workspace import Cancelled
 from ..document import factory, geometry, paths, refresh, tips, tree
 from ..document.base import kind_of
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
+from ..document.propose import building, engine
 from . import messages, pointers, proposal, settings
 from .command import Command, Where, command
 from .current import current_machine
@@ -61,7 +62,7 @@ class TaskMachine(Panel):
     guide = "1. A machine"
     holds_transaction = True
 
-    def __init__(self, machine, body: str | None = None, proposed: proposal.Proposal | None = None):
+    def __init__(self, machine, body: str | None = None, proposed: proposal.Shown | None = None):
         self.machine, self.document = machine, machine.Document
         self.names = tree.joint_names(tree.bodies(machine)) or AXES
         self.bodies = ("F", *self.names, "T", "W")
@@ -70,7 +71,7 @@ class TaskMachine(Panel):
         self.end_of = False  # an end was taken where a side was pointed at
         self.make_form("SensMachine", machine.Label, "SensWorkbench")
         layout = QtGui.QVBoxLayout(self.form)
-        self.guess = ProposalNote(proposed or proposal.Proposal())
+        self.guess = ProposalNote(proposed or proposal.Shown(), self._answered)
         layout.addWidget(self.guess)
         self.note = QtGui.QLabel()  # at the top: what is missing is seen without scrolling
         self.note.setObjectName("SensNote")
@@ -113,15 +114,40 @@ class TaskMachine(Panel):
         rows.addRow(translate("Sens", "Squareness"), self.squareness)
         return group
 
+    def _answered(self, name: str, value) -> None:
+        """A question was answered: weigh the rest again, and build the machine anew from it."""
+        doc, found = self.document, self.guess.proposal.found
+        pointers.clear(self.machine)
+        label = self.machine.Label
+        building.unbuild(doc, found)
+        found = engine.again(found, self.guess.answers)
+        self.machine, shown = proposal.make(doc, found, label)
+        settings.give(self.machine)
+        self.names = tree.joint_names(tree.bodies(self.machine)) or AXES
+        self.bodies = ("F", *self.names, "T", "W")
+        self._quiet = True
+        self.structure.clear()
+        for code in self._structures():
+            self.structure.addItem(code, code)
+        self.table.clear()
+        self._fill_bodies()
+        self._quiet = False
+        self.body = "F"
+        self.guess.renew(shown)
+        self.show()
+
+    def _fill_bodies(self) -> None:
+        for body in self.bodies:
+            item = QtGui.QTreeWidgetItem(self.table, [body_kind(body), ""])
+            item.setData(0, Qt.UserRole, body)
+
     def _bodies(self):
         self.table = QtGui.QTreeWidget()
         self.table.setObjectName("SensBodies")
         self.table.setRootIsDecorated(False)
         self.table.setUniformRowHeights(True)
         self.table.setHeaderLabels([translate("Sens", "Component"), translate("Sens", "Parts")])
-        for body in self.bodies:
-            item = QtGui.QTreeWidgetItem(self.table, [body_kind(body), ""])
-            item.setData(0, Qt.UserRole, body)
+        self._fill_bodies()
         rows = len(self.bodies) * max(18, self.table.sizeHintForRow(0))
         self.table.setFixedHeight(rows + self.table.header().sizeHint().height() + 2 * self.table.frameWidth() + 4)
         self.table.resizeColumnToContents(0)
@@ -210,8 +236,9 @@ class TaskMachine(Panel):
             write_field(self.squareness, machine.Squareness)
             self.tool_point.show(source_words(machine.ToolPoint), bool(machine.ToolPoint))
             self.tool_words.setText(self._tool_words())
-            for i, body in enumerate(self.bodies):
+            for i in range(self.table.topLevelItemCount()):
                 item = self.table.topLevelItem(i)
+                body = item.data(0, Qt.UserRole)
                 item.setText(1, words_of(self.links(body)) or translate("Sens", "(none)"))
                 item.setToolTip(1, item.text(1))
                 item.setIcon(0, self.guess.icon(body))
@@ -302,6 +329,17 @@ class TaskMachine(Panel):
         if not self._quiet and owner is not None and hasattr(owner, name):
             self.guess.drop(self.body, name)
             self._try(lambda: setattr(owner, name, value))
+            self._told(name)
+
+    def _told(self, name: str) -> None:
+        """What a person sets here counts as an answer in what is weighed later."""
+        owner = self.owner
+        if self.body not in AXES or owner is None:
+            return
+        if name in ("TravelLower", "TravelUpper"):
+            self.guess.told(f"travel:{self.body}", (owner.TravelLower.Value, owner.TravelUpper.Value))
+        elif name in ("DirectionSource", "DirectionAlong", "Reverse") and not self.machine.Problem:
+            self.guess.told(f"direction:{self.body}", tuple(owner.Direction))
 
     def _structure_changed(self, *_):
         def change():
@@ -325,14 +363,38 @@ class TaskMachine(Panel):
 
         def change():
             value = paths.as_links(links)
+            self._take_from_others(paths.places(value))
             self.guess.drop(self.body, "Parts")
+            self.guess.told(f"body:{self.body}", links)
             if self.body == "F":
                 self.machine.Bed = value
                 return
             owner = self.owner or factory.make_body(self.machine, self.body)
+            self._forget_direction(owner)
             owner.Parts = value
 
         self._try(change)
+
+    def _take_from_others(self, chosen) -> None:
+        """A part that is given to one component leaves the others."""
+        keys = {where.key for where in chosen}
+        for body in self.bodies:
+            owner = self.machine if body == "F" else tree.body_of(self.machine, body)
+            if body == self.body or owner is None:
+                continue
+            before = paths.places(self.links(body))
+            kept = [w for w in before if not any(w.key[:n] in keys for n in range(1, len(w.key) + 1))]
+            if len(kept) < len(before):
+                setattr(owner, "Bed" if body == "F" else "Parts", paths.as_links(kept))
+
+    def _forget_direction(self, owner) -> None:
+        """A direction that was proposed on the parts of before goes with them."""
+        source = paths.place(owner.DirectionSource) if getattr(owner, "DirectionSource", None) else None
+        if source is None or f"direction:{self.body}" in self.guess.answers or not self.guess.given:
+            return
+        if any(source.key[: len(part.key)] == part.key for part in paths.places(owner.Parts)):
+            owner.DirectionSource = None
+            self.guess.drop(self.body, "DirectionSource")
 
     def _one(self):
         chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
@@ -389,6 +451,8 @@ class TaskMachine(Panel):
         if owner is not None and hasattr(owner, name):
             setattr(owner, name, value)
             self.guess.drop(self.body, name)
+            self.document.recompute()
+            self._told(name)
 
     def _take_suggested(self, axis) -> None:
         """One of the directions that the geometry suggests becomes that of the chosen axis."""
@@ -433,10 +497,10 @@ def new_machine(doc):
     doc.openTransaction(translate("Sens", "Machine from selection"))
     try:
         with watch() as progress:
-            found = proposal.examine(doc, proposal.selected_links(), progress)
-        machine = proposal.make(doc, found, translate("Sens", "Machine"))
+            found = engine.propose(doc, proposal.selected_links(), progress=progress)
+        machine, shown = proposal.make(doc, found, translate("Sens", "Machine"))
         settings.give(machine)
-        panel = TaskMachine(machine, proposed=found)
+        panel = TaskMachine(machine, proposed=shown)
     except Cancelled:
         doc.abortTransaction()
         messages.status(translate("Sens", "Cancelled; nothing was changed"))

@@ -12,7 +12,8 @@ import pytest
 
 from sensworkbench.core import workspace
 from sensworkbench.document import closed_loop, extract, factory, tables, tree
-from sensworkbench.gui import colormap, colours, display, pointers, proposal, review, settings
+from sensworkbench.document.part_names import guess
+from sensworkbench.gui import colormap, colours, display, pointers, review, settings
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.state import of as state_of
 from sensworkbench.gui.task_jog import TaskJog
@@ -124,7 +125,7 @@ def test_names_say_who_is_who():
         ("Werkstück", "W"), ("X축", "X"), ("Headstock", "Z"), ("Table", "X"), ("y_slide", "Y"), ("Box", ""),
         ("Column (X)", "X"), ("Workpiece and vice", "W"), ("Ways Y", ""), ("Rail X1", ""), ("Spindle motor", ""),
     ):  # fmt: skip
-        assert proposal.guess(label) == body, label
+        assert guess(label) == body, label
 
 
 def test_machine_from_selection_proposes_and_is_one_undo_step(doc, workbench):

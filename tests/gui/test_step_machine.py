@@ -11,9 +11,10 @@ import Part
 import pytest
 
 from sensworkbench.core.workspace import Cancelled
-from sensworkbench.document import examples, proposals, tree
+from sensworkbench.document import examples, tree
 from sensworkbench.document.paths import leaves
-from sensworkbench.gui import proposal, proposal_note, task_machine
+from sensworkbench.document.propose import engine
+from sensworkbench.gui import proposal_note, task_machine
 from sensworkbench.gui.qt import QtGui, main_window, pump
 
 from .conftest import differences, look, messages, run, screenshot, state
@@ -105,7 +106,7 @@ def test_one_compound_becomes_a_machine_in_two_minutes(doc, workbench, files):
         actions += 1
         pump(20)
     assert "Not looked at yet" not in note.text()
-    for piece in ("direction: rail", "reference: the middle of what slides on the rails", "travel: as far as"):
+    for piece in ("holds the long bar", "% sure", "travel: as far as"):
         assert piece in note.text()
     lit = {at for s in Gui.Selection.getSelectionEx() for at in middles(s.Object.Shape)}
     assert lit == {at for at, body in bodies(machine).items() if body == "Z"}
@@ -168,8 +169,8 @@ def test_where_names_and_contacts_disagree_the_note_says_which_parts(doc, workbe
     column.getParentGeoFeatureGroup().removeObject(column)
     saddle.addObject(column)
     doc.recompute()
-    found = proposal.examine(doc)
-    assert any("disagree on 'Column'" in note for note in found.notes), found.notes
+    found = engine.propose(doc)
+    assert [m.fields["parts"] for m in found.remarks if m.code == "propose-disagree"] == ["'Column'"]
 
 
 def test_what_the_user_chooses_is_no_longer_called_a_proposal(doc, workbench, files):
@@ -178,15 +179,12 @@ def test_what_the_user_chooses_is_no_longer_called_a_proposal(doc, workbench, fi
     shown.table.setCurrentItem(shown.table.topLevelItem(1))
     assert "travel: as far as" in shown.guess.text()
     shown.upper.setValue(100.0)
-    assert "travel:" not in shown.guess.text() and "direction: rail" in shown.guess.text()
-    rows = [shown.suggested.itemText(i) for i in range(shown.suggested.count())]
-    upright = next(i for i, text in enumerate(rows) if "0.000, 0.000, 1.000" in text)
-    shown.suggested.setCurrentIndex(upright)
-    shown.suggested.activated.emit(upright)
-    axis = tree.axis_of(shown.machine, "X")
-    assert abs(axis.DirectionSource[0].Shape.BoundBox.ZLength) > 0 and "parallel" in shown.note.text()
+    assert "travel:" not in shown.guess.text() and "holds the long bar" in shown.guess.text()
+    assert shown.guess.answers["travel:X"][1] == 100.0
+    shown.reverse.setChecked(not shown.reverse.isChecked())
+    assert "holds the long bar" not in shown.guess.text()
     shown.clear.click()
-    assert "parts:" not in shown.guess.text()
+    assert "•" not in shown.guess.text()
     click("Cancel")
     assert not tree.machines(doc)
 
@@ -199,10 +197,13 @@ def test_where_the_geometry_shows_no_machine_the_panel_says_so_and_suggests_dire
     look(doc)
     shown = task_machine.new_machine(doc)
     assert "does not show which part is which" in shown.guess.text()
-    assert "places where parts slide" in shown.guess.text()
+    assert "Nothing shows which part slides on which" in shown.guess.text()
     assert shown.suggested.count() > 3
     assert "has no carriage" in shown.note.text() or "no parts" in shown.note.text()
     screenshot("step-no-machine")
+    shown.table.setCurrentItem(shown.table.topLevelItem(1))
+    shown.suggested.setCurrentIndex(1)
+    shown.suggested.activated.emit(1)
     assert tree.axis_of(shown.machine, "X").DirectionSource is not None
     click("Cancel")
 
@@ -211,11 +212,11 @@ def test_looking_for_contacts_can_be_stopped_and_leaves_nothing(doc, workbench, 
     insert(doc, files[0] / "compound.step")
     before, undos = state(doc), doc.UndoCount
 
-    def stop(parts, progress):
+    def stop(doc, selection, progress):
         assert progress(0, 10) is False
         raise Cancelled
 
-    monkeypatch.setattr(proposals, "propose_machine", stop)
+    monkeypatch.setattr(engine, "propose", stop)
     run("Sens_Machine")
     assert not Gui.Control.activeDialog() and messages() == []
     assert differences(before, state(doc)) == [] and doc.UndoCount == undos
@@ -226,12 +227,40 @@ def test_looking_for_contacts_can_be_stopped_and_leaves_nothing(doc, workbench, 
         progress(1, 10)
 
 
-def test_parts_that_were_drawn_here_are_proposed_by_their_names_alone(doc, workbench):
+def test_parts_that_were_drawn_here_are_proposed_by_their_names_and_never_called_sure(doc, workbench):
     from .test_panels import loose_parts
 
     loose_parts(doc)
-    found = proposal.examine(doc)
-    assert not found.reasons and not found.geometry
     shown = task_machine.new_machine(doc)
-    assert not shown.guess.isVisible() and shown.suggested is None
+    found = shown.guess.proposal.found
+    assert found.structure == "XYFZ" and max(a.confidence for a in found.axes.values()) < 0.75
+    assert not shown.guess.isHidden() and shown.suggested is None
     click("Cancel")
+
+
+def test_questions_are_answered_one_at_a_time_and_the_rest_is_weighed_anew(doc, workbench):
+    for label, at, size in (("a", (0, 0, 0), (900, 600, 100)), ("b", (100, 50, 100), (200, 500, 80)),
+                            ("c", (120, 200, 180), (160, 160, 80)),
+                            ("d", (150, 220, 260), (100, 100, 300))):  # fmt: skip
+        part = doc.addObject("Part::Feature", label.upper())
+        part.Label, part.Shape = label, Part.makeBox(*size, App.Vector(*at))
+    doc.recompute()
+    look(doc)
+    shown = task_machine.new_machine(doc)
+    clicks = 1
+    asked = []
+    while shown.guess.asked is not None and shown.guess.asked.name.startswith(("bed", "body")):
+        name = shown.guess.asked.name
+        asked.append(name)
+        Gui.Selection.clearSelection()
+        Gui.Selection.addSelection(doc.Name, {"bed": "A", "body:X": "B", "body:Y": "C", "body:Z": "D"}[name], "Face1")
+        shown.guess.findChildren(QtGui.QPushButton, "SensAnswer")[0].click()
+        pump(20)
+        clicks += 2
+    assert asked == ["bed", "body:X", "body:Y", "body:Z"] and clicks <= 12
+    machine = tree.machine_of(doc)
+    assert machine.Structure == "FXYZ" and [o.Label for o, _ in machine.Bed] == ["a"]
+    assert [w.label for w in tree.parts_of(machine, "Z")] == ["d"]
+    screenshot("step-questions")
+    click("Cancel")
+    assert not tree.machines(doc) and len(doc.Objects) == 4

@@ -23,34 +23,50 @@ PARALLEL = 2e-4  # rad between a direction and the edge that it is linked to
 MOST_EDGES = 400
 
 
-def build(doc, found: Found, *, label: str = "Machine", tool_point=None, travel=None):
+def build(doc, found: Found, *, label: str = "Machine", tool_point=None, travel=None, blanks=()):
     """Make the Machine of a proposal in `doc`; returns the Machine object, whose Problem says what is still missing.
 
-    tool_point, travel ({"X": (low, high)}) replace what is proposed.  Refuses a proposal without axes; nothing is made
-    then.  Opens no transaction.
+    tool_point, travel ({"X": (low, high)}) replace what is proposed.  blanks : names of axes that a person will fill.
+    Refuses a proposal without axes or blanks; nothing is made then.  Opens no transaction.
     """
-    if not found.axes:
+    if not found.axes and not blanks:
         raise Refused("propose-no-machine", doc.Label)
     places = _taken_apart(found)
+    before = {o.Name for o in doc.Objects}
+    machine = _built(doc, found, places, label, tool_point, travel or {}, [b for b in blanks if b not in found.axes])
+    found.made = [o.Name for o in doc.Objects if o.Name not in before]
+    return machine
+
+
+def unbuild(doc, found: Found) -> None:
+    """Take away again what `build` made of a proposal; parts of a lump that was taken apart stay."""
+    for name in reversed(found.made):
+        if doc.getObject(name) is not None:
+            doc.removeObject(name)
+    found.made = []
+
+
+def _built(doc, found: Found, places, label, tool_point, travel, blanks):
     groups = {body: [places[u.key] for u in units] for body, units in found.bodies.items() if units}
     groups = whole_containers(groups)
     tool_point = tool_point or named_tool_point(doc) or _tool_point(doc, found, places)
-    machine = factory.make_machine(
-        doc, found.workpiece_chain, found.tool_chain, bed=groups.get("F", ()), tool_point=tool_point, label=label
-    )
+    chains = found.workpiece_chain, [*found.tool_chain, *blanks]
+    machine = factory.make_machine(doc, *chains, bed=groups.get("F", ()), tool_point=tool_point, label=label)
     for name, axis in found.axes.items():
         source, reverse = _direction(doc, found, axis, places)
         made = factory.make_axis(
             machine,
             name,
             groups.get(name, ()),
-            travel=(travel or {}).get(name, axis.travel),
+            travel=travel.get(name, axis.travel),
             direction=source,
             reverse=reverse,
             reference=axis.joint or reference_point(doc, name, axis.point),
         )
         if axis.joint is not None:
             _where_the_slider_stands(machine, made, groups.get(name, ()))
+    for name in blanks:
+        factory.make_axis(machine, name, groups.get(name, ()))
     for name in ("T", "W"):
         if groups.get(name):
             factory.make_body(machine, name, groups[name])
@@ -72,9 +88,10 @@ def _taken_apart(found: Found) -> dict[tuple, Place]:
     """Unit -> where it stands once lumps are taken apart."""
     units = [*(u for group in found.bodies.values() for u in group), *found.left_out]
     made = {u.key: u.where for u in units if u.number is None}
+    made |= found.document.apart  # by an earlier answer
     lumps: dict[tuple, list[Unit]] = {}
     for unit in units:
-        if unit.number is not None:
+        if unit.number is not None and unit.key not in made:
             lumps.setdefault(unit.where.key, []).append(unit)
     for group in lumps.values():
         obj = group[0].where.object
@@ -82,6 +99,7 @@ def _taken_apart(found: Found) -> dict[tuple, Place]:
         boxes = np.array([_box(p) for p in parts])
         for unit in group:
             made[unit.key] = place(parts[int(np.argmin(np.abs(boxes - unit.box).sum(1)))])
+            found.document.apart[unit.key] = made[unit.key]
     return made
 
 
@@ -188,7 +206,9 @@ def named_tool_point(doc) -> Place | None:
 def _tool_point(doc, found: Found, places):
     """The centre of the lowest round edge about the upright axis on the tool, else a point that is added."""
     last = found.tool_chain[-1] if found.tool_chain else "F"
-    units = found.bodies.get("T") or found.bodies[last]
+    units = found.bodies.get("T") or found.bodies.get(last)
+    if not units or not found.axes:
+        return None
     up = found.up
     best = None
     for unit in sorted(units, key=lambda u: u.extent(up)[0])[:12]:

@@ -191,7 +191,7 @@ def by_names(document: Document, found, places, minor, size: float, said: Words,
         nodes["saddle"] |= nodes.pop("toolpost")
     if "work" in nodes and "table" in nodes:
         nodes["table"] |= nodes.pop("work")
-    elif "work" in nodes and len(nodes) > 3:
+    elif "work" in nodes and len(nodes) > 3 and len([a for a in "XYZ" if a in nodes]) < 3:
         nodes.setdefault("F", set()).update(nodes.pop("work"))
     if "tool" in nodes and "quill" in nodes:
         nodes["quill"] |= nodes.pop("tool")
@@ -204,7 +204,7 @@ def by_names(document: Document, found, places, minor, size: float, said: Words,
         nodes["Z"] |= nodes.pop("quill")
     if len(letters) == 3:  # the letters name the axes; all else belongs to one of them, or to the bed
         for role in [r for r in nodes if r not in (*letters, "F")]:
-            nodes[_host(document, nodes, role, letters, found)] |= nodes.pop(role)
+            nodes[_host(document, nodes, role, letters, found, places)] |= nodes.pop(role)
     if "F" not in nodes:
         rest = {n for n in range(len(units)) if n not in minor and not any(n in s for s in nodes.values())}
         rest = {n for n in rest if not units[n].hardware or units[n].hardware == "extrusion"}
@@ -220,12 +220,13 @@ def by_names(document: Document, found, places, minor, size: float, said: Words,
     far = adopt(document, bodies, [True] * len(names) + [False] * len(others), found, minor, size)
     bodies = bodies[: len(names)]
     edges = {}
+    tokens = [{k, *_roles(places, units, nodes[k])} for k in names]
     strength = _strength(document, bodies, found, size)
     for i in range(len(names)):
         for j in range(i):
-            prior = max(_prior(names[i], names[j]), _prior(names[j], names[i]))
+            prior = max(_prior(tokens[i], tokens[j]), _prior(tokens[j], tokens[i]))
             value = prior + strength[i, j]
-            if strength[i, j] > 0 or prior > 0.9:
+            if value > 0.3:
                 edges[j, i] = Link(j, i, [Evidence("propose-evidence-touch", value)])
     links, _ = tree(bodies, edges, 0)
     for link in links:
@@ -234,7 +235,8 @@ def by_names(document: Document, found, places, minor, size: float, said: Words,
     return Reading(bodies, 0, links, "names", far)
 
 
-def _host(document, nodes, role, letters, found) -> str:
+def _host(document, nodes, role, letters, found, places) -> str:
+    """Which of X, Y, Z or the bed something belongs to: what it touches, else Z for a tool, the table for work."""
     pulls = {k: 0.0 for k in (*letters, "F") if k in nodes}
     for touch in found.contacts:
         for a, b in ((touch.one[0], touch.other[0]), (touch.other[0], touch.one[0])):
@@ -242,7 +244,10 @@ def _host(document, nodes, role, letters, found) -> str:
                 for k in pulls:
                     if b in nodes[k]:
                         pulls[k] += touch.area + 1
-    return max(pulls, key=pulls.get)
+    if max(pulls.values()) > 0:
+        return max(pulls, key=pulls.get)
+    tables = [k for k in letters if "table" in _roles(places, document.units, nodes[k])]
+    return tables[0] if role == "work" and tables else "Z"
 
 
 def _name(document: Document, body, own) -> str:
@@ -265,8 +270,8 @@ PRIOR = {
 }  # fmt: skip
 
 
-def _prior(inner: str, outer: str) -> float:
-    return PRIOR.get((inner, outer), 0.0)
+def _prior(inner: set[str], outer: set[str]) -> float:
+    return max((PRIOR.get((a, b), 0.0) for a in inner for b in outer), default=0.0)
 
 
 def _strength(document: Document, bodies, found, size: float) -> np.ndarray:

@@ -81,6 +81,7 @@ class Found:
     state: object = None  # for `again`
     up: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
     lathe: bool = False
+    made: list[str] = field(default_factory=list)  # names of the objects that `building.build` made of it
 
 
 @dataclass
@@ -201,6 +202,7 @@ def weigh(state: _State, answers=None) -> Found:
     made.up, made.lathe = up, said.lathe
     reading = _as_told(state, _best(state, places, up, answers), answers)
     if reading is None:
+        _named_bodies(made, state, places)
         _ask_bodies(made, state)
         return made
     chain.direct(document, reading, places, state.axes, up, said, state.found.slides, state.size)
@@ -343,7 +345,8 @@ def _pins(document: Document, answers, name: str) -> set[int]:
     from ..paths import place
 
     found: set[int] = set()
-    for item in value if isinstance(value, (list, set)) else [value]:
+    items = [value] if isinstance(value, str) or not isinstance(value, (list, set)) else value
+    for item in items:
         if isinstance(item, Unit):
             found |= {n for n, u in enumerate(document.units) if u.key == item.key}
         elif isinstance(item, str):
@@ -351,8 +354,10 @@ def _pins(document: Document, answers, name: str) -> set[int]:
         else:
             where = place(item)
             key = where.key if where is not None else ()
-            found |= {n for n, u in enumerate(document.units) if key and (
-                u.where.key[: len(key)] == key or key[: len(u.where.key)] == u.where.key)}  # fmt: skip
+            for n, unit in enumerate(document.units):
+                own = document.apart[unit.key].key if unit.key in document.apart else unit.where.key
+                if key and (own[: len(key)] == key or key[: len(own)] == own):
+                    found.add(n)
     return found
 
 
@@ -677,6 +682,9 @@ def _lead(state: _State, reading: Reading, places, up, made: Found, answers) -> 
         if len(made.axes) < 2 or (len(made.axes) == 2 and not state.said.lathe):
             value = min(value, 0.7)
         axis.confidence = round(float(value), 3)
+    disputed = _disputed(document, places, made)
+    if disputed:
+        made.remarks.append(Message("propose-disagree", parts=", ".join(disputed[:3]) + (" …" if disputed[3:] else "")))
     if state.said.rotary:
         made.remarks.append(Message("propose-rotary", parts=", ".join(state.said.rotary)))
     made.complete = bool(made.axes) and (len(made.axes) == 3 or (state.said.lathe and len(made.axes) == 2))
@@ -817,6 +825,18 @@ def _bed_reason(state: _State, reading: Reading, places) -> Message:
     return Message("propose-bed-shape", count=len(body))
 
 
+def _disputed(document: Document, places, made: Found) -> list[str]:
+    """Labels of parts whose names state another axis than the one that they move with."""
+    body = {u.key: name for name, units in made.bodies.items() for u in units}
+    labels = []
+    for n, (_, letter) in places.items():
+        unit = document.units[n]
+        got = body.get(unit.key)
+        if letter and not unit.hardware and got in ("F", *"XYZ") and got != letter and letter in made.axes:
+            labels.append(repr(unit.label))
+    return labels
+
+
 def _agreement(state: _State, reading: Reading, places, tool, work) -> bool:
     """Whether names say the same as the guides: what is called fixed stands, what is called moving moves."""
     units = state.document.units
@@ -921,6 +941,14 @@ def _ends(state: _State, reading: Reading, work, tool, places, made: Found) -> N
         if own and len(own) < len(body):
             made.bodies[name] = [document.units[n] for n in own]
             made.bodies[last] = [u for u in made.bodies[last] if u not in made.bodies[name]]
+
+
+def _named_bodies(made: Found, state: _State, places) -> None:
+    """Where nothing shows what slides: the parts whose names say what they are."""
+    for n, (role, letter) in places.items():
+        body = letter or {"tool": "T", "work": "W"}.get(role, "F" if role in words.FIXED else "")
+        if body:
+            made.bodies.setdefault(body, []).append(state.document.units[n])
 
 
 # -- questions -------------------------------------------------------------------------------------------------------

@@ -111,6 +111,7 @@ class Document:
     sampled: int = 0
     names: list[str] = field(default_factory=list)  # all labels, containers too
     inside_link: bool = False
+    apart: dict = field(default_factory=dict)  # unit key -> Place of the object that a lump's solid became
 
 
 def read(doc, selection=(), seconds: float = 8.0, progress=None) -> Document:
