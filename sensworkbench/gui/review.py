@@ -279,7 +279,8 @@ class Review(QtGui.QDockWidget):
                                      "or <b>Example Machine</b>.")  # fmt: skip
         name = f"{_escape(machine.Label)}</b> ({_escape(machine.Document.Label)})<b>"
         if machine.Problem:
-            return f"<b>{name}</b><br><span style='color:#c0392b'>{_escape(machine.Problem)}</span>"
+            problem = refresh.problem_text(machine, messages.language())
+            return f"<b>{name}</b><br><span style='color:#c0392b'>{_escape(problem)}</span>"
         if result is None:
             ask = translate("Sens", "No result yet: press <b>Compute again</b>.")
             return f"<b>{name}</b> · {machine.Structure}<br>{ask}"

@@ -269,7 +269,7 @@ class TaskMachine(Panel):
             else:
                 self.reference.show("", False)
             self.found.setText(self._found_words(owner))
-            self.note.setText(machine.Problem or self._skew_words())
+            self.note.setText(refresh.problem_text(machine, messages.language()) or self._skew_words())
             self.note.setStyleSheet("color: #c0392b" if machine.Problem else "")
             self.note.setVisible(bool(self.note.text()))
         finally:
@@ -468,7 +468,7 @@ class TaskMachine(Panel):
     # -- the panel ---------------------------------------------------------------------------------------------------
     def accept(self):
         self.document.recompute()
-        problem = self.machine.Problem
+        problem = refresh.problem_text(self.machine, messages.language())
         if problem:
             messages.show(problem + "\n\n" + translate("Sens", "Correct it, or press Cancel."))
             return False

@@ -73,8 +73,8 @@ class TaskRepair(Panel):
         }
         self.table.clear()
         for finding in self.findings:
-            item = QtGui.QListWidgetItem(ticks[finding.mendable], f"{finding.obj.Label}: {finding.what}.\n{finding.do}")
-            item.setToolTip(f"{finding.obj.Name}: {finding.what}. {finding.do}")
+            item = QtGui.QListWidgetItem(ticks[finding.mendable], finding.text(messages.language()))
+            item.setToolTip(f"{finding.obj.Name}: {messages.words(finding.refusal)}")
             self.table.addItem(item)
 
     def repair(self, *_) -> None:
