@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 
-from .command import REGISTRY, Command, Where, command
+from .command import Command, Where, command
 from .files import ROOT, icon_path
 from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, main_window, translate
 
@@ -102,20 +102,6 @@ class HelpKey(QtCore.QObject):
             event.accept()
             if kind == QtCore.QEvent.KeyPress:
                 show(self.section)
-            return True
-        return False
-
-
-class WhatsThis(QtCore.QObject):
-    """What's This on one of our commands shows its section of the guide, not a page of FreeCAD's wiki."""
-
-    def __init__(self, window):
-        super().__init__(window)
-        window.installEventFilter(self)
-
-    def eventFilter(self, watched, event):
-        if event.type() == QtCore.QEvent.WhatsThisClicked and event.href() in REGISTRY:
-            show(REGISTRY[event.href()].guide)
             return True
         return False
 

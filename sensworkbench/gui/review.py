@@ -318,9 +318,7 @@ class Review(QtGui.QDockWidget):
             return
         kind = kind_of(obj)
         try:
-            body = (
-                getattr(obj, kind) if kind in ("Axis", "Body") else "" if kind else tree.owner_of(machine, obj, sub)
-            )
+            body = getattr(obj, kind) if kind in ("Axis", "Body") else "" if kind else tree.owner_of(machine, obj, sub)
         except Refused:
             return
         with state.quietly(machine.Document):

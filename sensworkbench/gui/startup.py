@@ -43,7 +43,7 @@ def _ready() -> None:
         adopt_soon(obj.Document)
 
     register_dresser(made_or_restored)
-    from .guide import WhatsThis
+    from .whats_this import WhatsThis
 
     WhatsThis(main_window())
     for name in list(App.listDocuments()):

@@ -502,7 +502,7 @@ def test_larger_than_90_means_the_angle_between_the_axes():
         (isg, "X EXX\n0 1\n0 2\n", "two rows for one position"),
         (isg, "X EXX EXX\n0 1 2\n", "line 1.*twice"),
         (isg, "X EXX\n0 1\n1 2\n#\nX EXX\n0 1\n1 2\n", "lines 1 and 5"),
-        (isg, "X EQX\n0 1\n", "line 1.*unknown parameter \"EQX\""),
+        (isg, "X EQX\n0 1\n", 'line 1.*unknown parameter "EQX"'),
         (isg, "EXX\n0.1\n", "line 1.*no argument"),
         (etalon, "", "no error"),
         (etalon, "VALUE = 1\n", "line 1.*before the first"),

@@ -157,6 +157,7 @@ def test_where_a_python_has_no_numpy_the_command_runs_on_freecads(tmp_path):
     ended = bare(tmp_path, "sensitivity", "--out", "review")
     assert ended.returncode == 0 and ended.stderr == ""
     assert sorted(p.name for p in (tmp_path / "review").iterdir()) == [
+        "manifest.json",
         "report.html",
         "sensitivity.csv",
         "sensitivity.json",
