@@ -253,3 +253,8 @@ def test_a_folder_that_was_deleted_under_the_program_is_a_refusal(place):
     environment = dict(os.environ, PYTHONPATH=str(ROOT))
     done = subprocess.run(["sh", "-c", line], cwd=place, env=environment, capture_output=True, text=True, timeout=120)
     assert done.returncode == 2 and "defect" not in done.stderr, done.stderr
+
+
+def test_a_noise_below_anything_that_can_be_measured_is_refused(place, capsys):
+    assert cli.main(["plan", "m.json", "p.csv", "--noise", "1e-300", "--out", "o"]) == 2
+    assert "--noise" in capsys.readouterr().err

@@ -12,6 +12,8 @@ from .. import common
 HELP = "what a measuring plan could find, before measuring"
 FILES = "`plan.json`, `report.html`, `candidates.csv`, `positions_suggested.csv`"
 
+SMALLEST_NOISE_UM = 1e-6  # a picometre; far below, sums of weights overflow
+
 
 def add(parser) -> None:
     common.add_machine(parser)
@@ -31,6 +33,10 @@ def add(parser) -> None:
 def run(arguments) -> int:
     if arguments.positions is None and arguments.suggest is None:
         raise Refused("plan-missing", "plan")
+    if arguments.noise < SMALLEST_NOISE_UM:
+        raise Refused(
+            "uncertainty-too-small", "--noise", value=f"{arguments.noise:g} um", limit=SMALLEST_NOISE_UM * 1e-3
+        )
     from sensworkbench.formats import plan_html, plan_json, study_files
     from sensworkbench.studies.plan import PlanRequest, plan_study
 
