@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -27,6 +28,9 @@ from .json_text import Place, short
 
 KEYS = ("name", "component", "driver", "shape", "parameters", "enabled")
 REQUIRED = KEYS[:-1]
+
+
+_UNKNOWN = re.compile(r"\(?(?P<name>[^\W\d_]+|%)\)?(\^[\d.]+)?")
 
 
 # -- reading -----------------------------------------------------------------------------------------------------------
@@ -238,7 +242,11 @@ def _per_unknown(numbers: _Numbers, base: str, c: Component, shape: Shape, drive
         if text is not None:
             per = "*".join(t for t in (stated, text) if t)
             return scale / (unit.factor / unit_readings(per)[0].factor) ** shape.unit_power, per
-    return scale, below.strip("() ")  # a unit that this program does not know: the column is as written
+    unknown = _UNKNOWN.fullmatch(below)  # a unit that this program does not know: the column is as written
+    if unknown is None or unit_readings(unknown["name"]):
+        wanted = coefficient_unit(c.unit, shape, stated or "?")
+        raise Refused("unit-of-another-kind", numbers.unit_where, unit=numbers.unit[:60], wanted=wanted)
+    return scale, unknown["name"]
 
 
 def _with_extent(effect: Effect, entry: Place, machine: Machine) -> Effect:
