@@ -324,7 +324,7 @@ def direct(document: Document, reading: Reading, places, axes, up, said: Words, 
     for i, link in enumerate(reading.links):
         alternatives = [v for order, v in zip(orders, values) if order[i] != best[i]]
         link.margin = float(max(values) - max(alternatives)) if alternatives else float(table[i, best[i]])
-        sure = table[i, free[i]] > 0.8 and free[i] != best[i]
+        sure = bool(link.guides or link.bond) and table[i, free[i]] > 0.8 and free[i] != best[i]
         pick = free[i] if sure else best[i]
         if skew[i] is not None and table[i, pick] < 0.5:
             link.u = skew[i]

@@ -129,10 +129,13 @@ def read(doc, selection=(), seconds: float = 8.0, progress=None) -> Document:
         found, inside = deeper, True
     looker = Looker(seconds)
     units, lumps = [], []
-    for n, (where, labels, holders, source) in enumerate(found):
-        if progress is not None and progress(n, len(found)):
+    order = sorted(range(len(found)), key=lambda n: _faces(found[n][0]))  # rails and blocks before motors and castings
+    looks: list[list[Solid]] = [[] for _ in found]
+    for done, n in enumerate(order):
+        if progress is not None and progress(done, len(found)):
             break
-        solids = _solids(where, looker)
+        looks[n] = _solids(found[n][0], looker)
+    for (where, labels, holders, source), solids in zip(found, looks):
         if solids:
             unit = Unit(where, labels, solids, None, holders, source)
             (lumps if len(found) < FEW and len(solids) > 1 else units).append(unit)
@@ -253,6 +256,13 @@ def _inside_links(found, names):
         else:
             changed = True
     return deeper if changed else None
+
+
+def _faces(where: Place) -> int:
+    try:
+        return len(curves.parts(where.shape(), "Faces"))
+    except Exception:  # noqa: BLE001 - a damaged part comes last
+        return 10**9
 
 
 def _solids(where: Place, looker: Looker) -> list[Solid]:
