@@ -118,20 +118,20 @@ class Shown:
         return out
 
 
-def shown(effect: Effect, component) -> dict[str, Shown]:
+def shown(effect: Effect, component, exact: bool = True) -> dict[str, Shown]:
     """parameter -> numbers as shown: "coefficient", those of the shape, and "extent": the range of the component.
 
-    component : of the machine, with `unit` and `angular`.  Reads back equal to the last bit: in um or urad, or else in
-    mm or rad.
+    component : of the machine, with `unit` and `angular`.  exact : reads back equal to the last bit, in um or urad, or
+    else in mm or rad; otherwise always in um or urad.
     """
     out = {}
     if effect.coefficients:
         known = [v for v in (effect.u or ()) if v is not None]
-        base, factor = _exact_unit(component, (*effect.coefficients, *known))
+        base, factor, number = _unit(component, (*effect.coefficients, *known), exact)
         unit = coefficient_unit(base, effect.shape, effect.driver_unit)
         several = len(effect.coefficients) > 1
-        values = tuple(exactly_shown(v, factor) for v in effect.coefficients)
-        u = None if effect.u is None else tuple(None if v is None else exactly_shown(v, factor) for v in effect.u)
+        values = tuple(number(v, factor) for v in effect.coefficients)
+        u = None if effect.u is None else tuple(None if v is None else number(v, factor) for v in effect.u)
         out["coefficient"] = Shown(values, unit, u, several)
     for name, parameter in effect.shape.parameters.items():
         value = effect.shape.values[name]
@@ -143,9 +143,16 @@ def shown(effect: Effect, component) -> dict[str, Shown]:
             numbers, unit, (effect.shape_u[name],) if name in effect.shape_u else None, parameter.size != 1
         )
     if effect.reach is not None:
-        unit, factor = _exact_unit(component, effect.reach)
-        out["extent"] = Shown(tuple(exactly_shown(v, factor) for v in effect.reach), unit, None, True)
+        unit, factor, number = _unit(component, effect.reach, exact)
+        out["extent"] = Shown(tuple(number(v, factor) for v in effect.reach), unit, None, True)
     return out
+
+
+def _unit(component, values, exact: bool):
+    """(unit, factor, function of a value and the factor) in which numbers are shown; see `shown`."""
+    if exact:
+        return (*_exact_unit(component, values), exactly_shown)
+    return component.unit, component.from_shown(1.0), lambda value, factor: value / factor
 
 
 def _exact_unit(component, values) -> tuple[str, float]:

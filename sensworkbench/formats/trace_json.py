@@ -172,7 +172,7 @@ def _effect(e: NamedEffect) -> dict:
         "component": e.effect.component,
         "driver": str(e.effect.driver),
         "shape": e.effect.shape.name,
-        "parameters": {k: v.to_dict() for k, v in shown(e.effect, component(e.effect.component)).items()},
+        "parameters": {k: v.to_dict() for k, v in shown(e.effect, component(e.effect.component), exact=False).items()},
         "amplitude_um": e.amplitude * 1e3,
         "p_familywise": e.p,
         "selection_frequency": e.selection,
