@@ -15,6 +15,7 @@ from sensworkbench.core.refusal import Refused
 
 from . import column_names
 from .column_names import BASES, FAMILIES, KINDS
+from .json_text import short
 
 DRIVER, IGNORE = "driver", "ignore"
 # what a column may be, in the order in which a list shows them; families take a name
@@ -125,7 +126,7 @@ def mapping(names: Sequence[str], found: Sequence[Guess], constants: Mapping[str
     for written, one in zip(names, found):
         if one.column and one.column != written:
             if one.column in table:
-                raise Refused(f"two columns are taken for {one.column!r}", written, "Choose another use for one.")
+                raise Refused("columns-taken-twice", written, column=short(one.column))
             table[one.column] = written
     ignored = [w for w, one in zip(names, found) if one.kind == IGNORE and w]
     if ignored:

@@ -147,5 +147,6 @@ def parse(text: str, where: str = "", joints: tuple[tuple[str, bool], ...] = ())
 
 def _unit_refused(text: str, kind: str, where: str) -> Refused:
     wanted = EXAMPLE.get(kind)
-    do = f"End the name in a unit: {wanted}" if wanted else "This name takes no unit"
-    return Refused(f"column {short(text)} has no unit that is known for it", where, f"{do}; or rename the column.")
+    if wanted is None:
+        return Refused("column-takes-no-unit", where, column=short(text))
+    return Refused("column-unit-unknown", where, column=short(text), wanted=wanted)

@@ -31,12 +31,10 @@ def symbols(place: Place, known: Known = component):
     seen = {}
     for key, entry in place.members():
         if key.startswith("x-"):
-            raise entry.refuse(
-                f"{short(key)} is not kept here", 'Put keys that begin with "x-" at the top of the file.'
-            )
+            raise entry.refuse("json-extra-here", key=short(key))
         c = known(key, entry.where)
         if c.symbol in seen:
-            raise entry.refuse(f"{short(key)} and {short(seen[c.symbol])} are the same error", "Keep one.")
+            raise entry.refuse("component-twice", key=short(key), other=short(seen[c.symbol]))
         seen[c.symbol] = key
         yield c, entry
 
@@ -71,7 +69,7 @@ def read(place: Place, known: Known = component) -> FittedModel:
         else:
             c = known(key, entry.where)
             if c.symbol in series or c.symbol in constants:
-                raise entry.refuse(f"{short(key)} stands twice under two names", "Keep one.")
+                raise entry.refuse("component-two-names", key=short(key))
             if not c.line and isinstance(entry.value, dict) and "coefficients" in entry:
                 series[c.symbol] = _series(entry, c)
             else:
@@ -92,13 +90,11 @@ def _series(entry: Place, c: Component) -> Series:
     entry["basis"].string(("legendre",))
     low, high = entry["domain"].numbers(2)
     if not high - low > 1e-9:
-        raise entry["domain"].refuse(f"the domain from {low:g} to {high:g} has no length")
+        raise entry["domain"].refuse("domain-without-length", low=low, high=high)
     scale = unit_scale(entry, c)
     coefficients = entry["coefficients"].numbers()
     if not 1 <= len(coefficients) <= MAX_DEGREE + 1:
-        raise entry["coefficients"].refuse(
-            f"{len(coefficients)} coefficients are too many or too few", f"At least 1, at most {MAX_DEGREE + 1}."
-        )
+        raise entry["coefficients"].refuse("coefficients-count", count=len(coefficients), most=MAX_DEGREE + 1)
     u = ()
     if "u" in entry and entry.value["u"] is not None:
         u = tuple(_uncertainty(e, scale) for e in entry["u"].elements(len(coefficients)))
@@ -117,7 +113,7 @@ def _constant(place: Place, c: Component) -> Constant:
 
 def _scaled(value: float, scale: float, place: Place) -> float:
     if not math.isfinite(value) or abs(value * scale) > 1e9:
-        raise place.refuse(f"{value:g} is no plausible size of an error")
+        raise place.refuse("error-size-implausible", value=value)
     return value * scale
 
 
@@ -125,7 +121,7 @@ def _uncertainty(place: Place, scale: float) -> float | None:
     if place.value is None:
         return None
     if place.number() < 0:
-        raise place.refuse("a standard uncertainty is not negative")
+        raise place.refuse("uncertainty-negative")
     return _scaled(place.number(), scale, place)
 
 
@@ -145,14 +141,14 @@ def _tool(place: Place) -> ToolError:
 def _range(place: Place) -> tuple[float, float]:
     low, high = place.numbers(2)
     if low > high:
-        raise place.refuse(f"a range from {low:g} down to {high:g}", "Give the lowest value first.")
+        raise place.refuse("range-reversed", low=low, high=high)
     return low, high
 
 
 def _file_name(entry: Place) -> str:
     name = entry.string()
     if not name or any(c in name for c in "/\\:\0") or not name.endswith(".npz"):
-        raise entry.refuse(f"{short(name)} is not the name of an .npz file", "Keep it beside the machine.")
+        raise entry.refuse("covariance-file-name", name=short(name))
     return name
 
 

@@ -180,33 +180,33 @@ class Place:
     def keys(self, allowed, required=()) -> list[str]:
         """The keys of an object without "x-" ones; refuses unknown keys (never "x-" ones) and missing ones."""
         if not isinstance(self.value, dict):
-            raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
+            raise self.refuse("json-object-expected", value=short(self.value))
         for key in self.value:
             if key not in allowed and not key.startswith("x-"):
                 raise self[key].refuse("json-key-unknown", known=list(allowed))
         for key in required:
             if key not in self.value:
-                raise self.refuse(f"{short(key)} is missing")
+                raise self.refuse("json-key-missing", key=short(key))
         return [k for k in self.value if not k.startswith("x-")]
 
     def members(self) -> list[tuple[str, Place]]:
         """Name and place of every member of an object whose names are free."""
         if not isinstance(self.value, dict):
-            raise self.refuse(f"{short(self.value)} stands where an object {{…}} is expected")
+            raise self.refuse("json-object-expected", value=short(self.value))
         return [(k, self[k]) for k in self.value]
 
     def elements(self, count: int | None = None) -> list[Place]:
         """Return the places of the elements of a list; refuses another value or another length."""
         if not isinstance(self.value, list):
-            raise self.refuse(f"{short(self.value)} stands where a list […] is expected")
+            raise self.refuse("json-list-expected", value=short(self.value))
         if count is not None and len(self.value) != count:
-            raise self.refuse(f"a list of {len(self.value)} where {count} are expected")
+            raise self.refuse("json-list-length", count=len(self.value), wanted=count)
         return [self[i] for i in range(len(self.value))]
 
     def number(self) -> float:
         """Return a number; refuses another value."""
         if isinstance(self.value, bool) or not isinstance(self.value, (int, float)):
-            raise self.refuse(f"{short(self.value)} is not a number")
+            raise self.refuse("json-number-expected", value=short(self.value))
         return float(self.value)
 
     def numbers(self, count: int | None = None) -> list[float]:
@@ -216,21 +216,21 @@ class Place:
     def integer(self, low: int, high: int) -> int:
         """Return a whole number from `low` to `high`; refuses another value."""
         if isinstance(self.value, bool) or not isinstance(self.value, int) or not low <= self.value <= high:
-            raise self.refuse(f"{short(self.value)} is not a whole number from {low} to {high}")
+            raise self.refuse("json-integer-expected", value=short(self.value), low=low, high=high)
         return self.value
 
     def string(self, choices=None) -> str:
         """Return a text, one of `choices` if they are given; refuses another value."""
         if not isinstance(self.value, str):
-            raise self.refuse(f"{short(self.value)} is not a text in quotes")
+            raise self.refuse("json-text-expected", value=short(self.value))
         if choices is not None and self.value not in choices:
-            raise self.refuse(f"unknown value {short(self.value)}", f"Use one of {', '.join(choices)}.")
+            raise self.refuse("json-choice", value=short(self.value), known=list(choices))
         return self.value
 
     def boolean(self) -> bool:
         """Return true or false; refuses another value."""
         if not isinstance(self.value, bool):
-            raise self.refuse(f"{short(self.value)} is neither true nor false")
+            raise self.refuse("json-boolean-expected", value=short(self.value))
         return self.value
 
 

@@ -47,10 +47,10 @@ def loads(text: str, name: str = "machine.json") -> Machine:
 def from_place(top: Place) -> Machine:
     """The machine in a parsed file."""
     if not isinstance(top.value, dict) or top.value.get("format") != FORMAT:
-        raise top.refuse("this is not a machine", f'A machine file is an object with "format": "{FORMAT}".')
+        raise top.refuse("json-not-a-machine", format=FORMAT)
     version = top.value.get("version")
     if "version" in top and (isinstance(version, bool) or version not in VERSIONS):
-        raise top["version"].refuse(f"version {short(version)} is not known", f"Known are {VERSIONS}.")
+        raise top["version"].refuse("json-version", version=short(version), known=list(VERSIONS))
     joints, more = ("axes", ()) if version == 1 else ("joints", ("frame",))
     top.keys((*_KEYS, joints, *more), (*_REQUIRED, joints))
     given = {key: tuple(top[key].numbers(3)) for key in ("spindle_reference", "workpiece_reference") if key in top}
@@ -87,7 +87,7 @@ def _refused_at(place: Place):
             raise
         member = refused.where.rpartition(", ")[2]
         if isinstance(place.value, dict) and member in place.value:
-            raise place[member].refuse(refused.what, refused.do) from None
+            raise place[member].refuse(refused.code, **refused.fields) from None
         raise refused.at(place.where) from None
 
 
@@ -127,7 +127,7 @@ def _joints(place: Place) -> tuple[Joint, ...]:
         if entry.value["travel"] is not None:
             travel = tuple(v * scale for v in entry["travel"].numbers(2))
         elif not kind.may_be_endless:
-            raise entry["travel"].refuse("a linear axis has two ends", "Give [lowest, highest] in mm.")
+            raise entry["travel"].refuse("travel-linear-endless")
         with _refused_at(entry):
             found.append(
                 Joint(name, kind, tuple(entry["direction"].numbers(3)), tuple(entry["point"].numbers(3)), travel)
@@ -151,9 +151,7 @@ def tolerances(place: Place, known=component) -> dict[str, Tolerance]:
         scale = unit_scale(entry, c)
         lower, upper = entry["lower"].number(), entry["upper"].number()
         if upper < lower:
-            raise entry["upper"].refuse(
-                f"upper limit {upper:g} is below lower limit {lower:g}", "Exchange the two limits."
-            )
+            raise entry["upper"].refuse("tolerance-limits-reversed", lower=lower, upper=upper)
         with _refused_at(entry):
             found[c.symbol] = Tolerance(
                 lower * scale,
@@ -172,9 +170,7 @@ def _declared(place: Place, machine: Machine) -> dict[str, int]:
             found[c.symbol] = 0
             continue
         if c.symbol not in machine.declared_symbols:
-            raise entry.refuse(
-                f"{c.symbol} has no declared function", "Only the errors of the axes are declared functions."
-            )
+            raise entry.refuse("component-not-declared", symbol=c.symbol)
         degree = entry["degree"].integer(0, MAX_DEGREE) if "degree" in entry else 3
         found[c.symbol] = min(degree, 1) if c.line else degree
     return found

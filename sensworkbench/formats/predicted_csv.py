@@ -27,7 +27,7 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
     table = csv_table.read(source)
     error = np.asarray(error, dtype=float)
     if error.shape != (table.rows, 3) or not np.array_equal(np.sort(positions.line), table.line):
-        raise Refused("the predictions do not belong to this file", table.source, "Predict again from this file.")
+        raise Refused("predictions-of-another-file", table.source)
     order = np.argsort(positions.line)
     decimal_comma = any(_has_decimal_comma(table, j) for j in range(len(table.names)))
     number = (lambda v: f"{v:.6f}".replace(".", ",")) if decimal_comma else (lambda v: f"{v:.6f}")

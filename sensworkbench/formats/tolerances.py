@@ -53,13 +53,13 @@ def loads_json(text: str, name: str = "tolerances.json", known=component) -> dic
     top = parse_json(text, name)
     kind = top.value.get("format") if isinstance(top.value, dict) else None
     if kind not in (FORMAT, "sens-machine"):
-        raise top.refuse("these are not tolerances", f'A tolerance file is an object with "format": "{FORMAT}".')
+        raise top.refuse("json-not-tolerances", format=FORMAT)
     if kind == FORMAT:
         top.keys(("format", "version", "tolerances"), ("format", "version", "tolerances"))
         if top.value["version"] != VERSION:
-            raise top["version"].refuse(f"version {short(top.value['version'])} is not known", f"Known is {VERSION}.")
+            raise top["version"].refuse("json-version", version=short(top.value["version"]), known=[VERSION])
     elif "tolerances" not in top:
-        raise top.refuse("this machine states no tolerances of its own")
+        raise top.refuse("machine-without-tolerances")
     return from_json(top["tolerances"], known)
 
 
@@ -163,11 +163,12 @@ def _row(names: list[str], cells: list[str], where: str, known) -> tuple[str, To
         elif column != "sigma":
             raise Refused("tolerance-limit-missing", f"{where}, column {column}", symbol=c.symbol, limit=column)
     if values["upper"] < values["lower"]:
-        words = f"upper limit {row['upper'][:30]} is below lower limit {row['lower'][:30]}"
-        raise Refused(words, f"{where}, column upper", "Exchange the two limits.")
+        raise Refused(
+            "tolerance-limits-reversed", f"{where}, column upper", lower=values["lower"], upper=values["upper"]
+        )
     try:
         law = row["distribution"] or "uniform"
         return c.symbol, Tolerance(values["lower"], values["upper"], law, values["sigma"])
     except Refused as refused:
-        column = "distribution" if "distribution" in refused.what else "sigma" if "sigma" in refused.what else "upper"
-        raise Refused(refused.what, f"{where}, column {column}", refused.do) from None
+        column = next((c for c in ("distribution", "sigma") if refused.code.startswith(c)), "upper")
+        raise Refused(refused.code, f"{where}, column {column}", **refused.fields) from None
