@@ -18,6 +18,7 @@ from sensworkbench.core.distributions import Tolerance
 from sensworkbench.core.errors import Component, component
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import parse as parse_quantity
+from sensworkbench.core.units import shown
 
 from .files import neutral, read_text, write_text
 from .json_text import parse as parse_json
@@ -163,9 +164,8 @@ def _row(names: list[str], cells: list[str], where: str, known) -> tuple[str, To
         elif column != "sigma":
             raise Refused("tolerance-limit-missing", f"{where}, column {column}", symbol=c.symbol, limit=column)
     if values["upper"] < values["lower"]:
-        raise Refused(
-            "tolerance-limits-reversed", f"{where}, column upper", lower=values["lower"], upper=values["upper"]
-        )
+        low, high = (shown(values[k], unit, angular=c.angular) for k in ("lower", "upper"))
+        raise Refused("tolerance-limits-reversed", f"{where}, column upper", lower=low, upper=high)
     try:
         law = row["distribution"] or "uniform"
         return c.symbol, Tolerance(values["lower"], values["upper"], law, values["sigma"])
