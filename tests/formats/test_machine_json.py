@@ -188,7 +188,7 @@ BAD = {
     "a list": ("[]", ["line 1", "not a machine"]),
     "another format": (golden(format="other"), ["sens-machine"]),
     "another version": (golden(version=3), ["version 3", "line 3"]),
-    "an unknown key": (golden(tool_pont=[0, 0, 0]), ['tool_pont', "line"]),
+    "an unknown key": (golden(tool_pont=[0, 0, 0]), ["tool_pont", "line"]),
     "an unknown key deep inside": (golden(axes__X__refrence=[0, 0, 0]), ["axes.X.refrence", "line"]),
     "an x- key inside a table of errors": (golden(tolerances={"x-a": 1}), ["tolerances.x-a"]),
     "NaN": (json.dumps(golden(tool_point=[0, float("nan"), 0])), ["tool_point[1]", "NaN", "finite"]),

@@ -90,7 +90,7 @@ def joint(number, **changes):
 
 
 BAD = {
-    "axes of version 1": (lambda: data() | {"axes": {}}, 'axes: this key is not known'),
+    "axes of version 1": (lambda: data() | {"axes": {}}, "axes: this key is not known"),
     "joints in version 1": (lambda: data() | {"version": 1}, "axes"),
     "another kind": (lambda: joint(3, kind="spherical"), "spherical"),
     "endless linear": (lambda: joint(0, travel=None), "joints[0].travel"),
