@@ -14,26 +14,54 @@ import numpy as np
 from ..messages import Message
 from . import evidence
 from .bank import log_tail
+from .exchange import between_runs
 from .fit import Fit
 from .freeform import normal_tail
 from .naming import beyond, stand_in, stands_out
 from .problem import State, Step
-from .scan import exact_gain
-from .search import ScoredTerm, same_place
+from .search import ScoredTerm, same_place, scored
 
 
 def judge(state: State, others, best: ScoredTerm) -> Step:
-    """Return family-wise p, size and held-out gain of `best`, added to the model of `others`."""
+    """Family-wise p, size and held-out gain of `best` beside `others`.
+
+    Errors of blocks left out are judged as they are, and with a shift of each block taken out: far ends of a polynomial
+    of the declared model shift whole blocks, whatever the effect.  The clearer of the two counts.
+    """
     columns = state.problem.readings.columns
     full = state.fit_with([*others, best])
-    gain, coefficients, visible = exact_gain(state.rows_with(full, others), best.index, best.vectors(columns))
+    found = scored(state.rows_with(full, others), best.symbol, best.regressor, columns)
+    gain, coefficients = found.gain, found.coefficients
     null = state.scanner(state.rows(full)).null_maxima(state.signs)
     tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
+    tail = min(tail, _on_the_grid(state, full, others, found))
     used = max(int(np.count_nonzero(full.weight)), 1)
-    grams, base, mine = state.grams(full, others, [best])
-    held = evidence.gain_statistics(grams.held_out(base), grams.held_out(base + mine[0]))
-    found = replace(best, gain=gain, coefficients=coefficients, visible=visible)
-    return Step(found, evidence.p_value(tail, null), float(np.sqrt(gain / used)), held)
+    grams, base, mine = state.grams(full, others, [best], within=True)
+    held = max(
+        (evidence.gain_statistics(f(base), f(base + mine[0])) for f in (grams.held_out, grams.held_out_within)),
+        key=lambda g: g[0] / max(g[1], 1e-300),
+    )
+    p, runs = evidence.p_value(tail, null), None
+    if p < state.settings.alpha:
+        runs = between_runs(state, others, found)
+        p = p if runs is None else max(p, runs[0])
+    clear = tail > state.settings.unlogged_margin * float(null.max())
+    return Step(found, p, float(np.sqrt(gain / used)), held, runs=None if runs is None else runs[1:], clear=clear)
+
+
+def _on_the_grid(state: State, full: Fit, others, best: ScoredTerm) -> float:
+    """The largest score that the scan gives this driver and shape; infinite where it does not stand in the bank.
+
+    Data and null take the same road: the null is the largest score on the grid, so the parameters of what is judged are
+    not refined for its p either.
+    """
+    if not best.shape.fitted:
+        return np.inf
+    members = [k for k, r in enumerate(state.problem.bank) if r.key == best.regressor.key]
+    place = next((i for i, g in enumerate(state.problem.groups) if best.index in g), None)
+    if not members or place is None:
+        return np.inf
+    return float(state.scanner(state.rows_with(full, others)).scores().tail[members, place].max())
 
 
 def selection(state: State, others, best: ScoredTerm, pool) -> float:
@@ -64,10 +92,18 @@ def is_line(state: State, others, candidate: ScoredTerm) -> bool:
     """
     full = state.fit_with([*others, candidate])
     rows, p = state.rows(full), state.problem
-    if not stands_out(state.scanned(rows), candidate, state.scanner(rows), state.settings):
+    scanner = state.scanner(rows)
+    if not stands_out(state.scanned(rows), candidate, scanner, state.settings) and _waves_left(state, scanner):
         return False
     used = int(np.count_nonzero(full.weight))
     return beyond(rows, candidate, p.readings.columns, p.names, used, settings=state.settings) is None
+
+
+def _waves_left(state: State, scanner) -> bool:
+    """Are there more waves beside the model than noise makes?  Then it is roughness; else a weak line stands alone."""
+    waves = np.flatnonzero([r.shape.wave for r in scanner.shapes])
+    strongest = float(scanner.scores().tail[waves].max())
+    return evidence.p_value(strongest, scanner.null_maxima(state.signs)) < 0.05
 
 
 def review(state: State) -> State:

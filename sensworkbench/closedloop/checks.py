@@ -10,6 +10,7 @@ import numpy as np
 
 from ..messages import Message
 from . import scores
+from .design import run_labels
 from .fit import Fit
 from .freeform import normal_score
 from .noise import lags
@@ -83,14 +84,14 @@ def noise_summary(fitted: Fit, readings: Readings, residual_um, settings: TraceS
     )
 
 
-def alignment_of(readings: Readings) -> str:
-    """How the set-up was taken to be aligned: "once", "offset per run" or "per run"."""
-    return "once" if readings.run is None or len(set(map(str, readings.run))) < 2 else "offset per run"
-
-
 def guarantee(state: State) -> Guarantee:
     """What the chance of a false name rests on: the exchanges that were made and their conditions."""
     conditions = [Message("guarantee-symmetric"), Message("guarantee-blocks", count=int(state.block.max()) + 1)]
     if any(state.memory.values()):
         conditions.append(Message("guarantee-memory"))
-    return Guarantee(state.settings.alpha, (("rows", state.problem.permutations, False),), tuple(conditions))
+    by = [("rows", state.problem.permutations, False)]
+    runs = [s.runs for s in state.steps if s.runs is not None]
+    if runs:
+        by.append(("runs", *min(runs)))
+        conditions.append(Message("guarantee-runs", count=len(run_labels(state.problem.readings))))
+    return Guarantee(state.settings.alpha, tuple(by), tuple(conditions))

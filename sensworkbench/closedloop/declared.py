@@ -7,17 +7,19 @@ Parameters that the readings do not determine get no value; combinations that th
 from __future__ import annotations
 
 from dataclasses import replace
+from statistics import NormalDist
 
 import numpy as np
 
-from ..core.errors import component
 from ..core.machine import Machine
 from ..core.synthesis import omega
 from ..messages import Refused
 from . import scores
-from .design import Term, design
-from .fit import Fit, fit, null_space
+from .design import Term, design, run_labels
+from .fit import Fit, basis, fit, null_space
+from .freeform import normal_score
 from .readings import Readings
+from .settings import DEFAULT, TraceSettings
 
 
 def without_known_effects(machine: Machine, readings: Readings) -> Readings:
@@ -31,12 +33,38 @@ def without_known_effects(machine: Machine, readings: Readings) -> Readings:
     return replace(readings, value=readings.value - np.einsum("ra,ra->r", vectors[readings.point], readings.sense))
 
 
+def aligned(machine: Machine, readings: Readings, settings: TraceSettings = DEFAULT) -> Readings:
+    """The readings with their alignment settled: as their file says, else by what they show.
+
+    An offset of each run is fitted; where the runs' tilts differ beyond chance, each run gets its own alignment.
+    Refuses an alignment per run of readings that have no runs.
+    """
+    runs = run_labels(readings)
+    if readings.alignment and readings.alignment != "once" and len(runs) == 0:
+        raise Refused("alignment-without-runs", "readings", alignment=readings.alignment)
+    if readings.alignment:
+        return readings
+    if len(runs) < 2:
+        return replace(readings, alignment="once")
+    shifted, tilted = (replace(readings, alignment=a) for a in ("offset per run", "per run"))
+    wide = fit(design(machine, tilted), tilted)
+    if wide.dof < settings.least_dof:
+        return shifted
+    weight = wide.weight > 0
+    narrow = basis(design(machine, shifted).matrix * wide.weight[:, None])
+    y = readings.value * wide.weight
+    gain = float(((y - narrow.ortho @ (narrow.ortho.T @ y)) ** 2).sum()) - wide.chi2
+    dims = wide.basis.rank - narrow.rank
+    limit = NormalDist().inv_cdf(1 - settings.tilt)
+    return tilted if dims and weight.any() and normal_score(gain, dims) > limit else shifted
+
+
 def declared_fit(machine: Machine, readings: Readings) -> Fit:
     """Robust weighted least squares of the declared errors; the machine's own enabled effects are taken off first.
 
     Refuses where there are fewer readings than it takes to determine anything.
     """
-    readings = without_known_effects(machine, readings)
+    readings = aligned(machine, without_known_effects(machine, readings))
     terms = design(machine, readings)
     found = fit(terms, readings)
     if found.dof < 1:
@@ -75,6 +103,4 @@ def fit_summary(found: Fit, readings: Readings) -> dict:
 
 
 def _scale(term: Term) -> tuple[float, str]:
-    if term.group in ("run", "tool") or not component(term.symbol).angular:
-        return 1e3, "um"
-    return 1e6, "urad"
+    return (1e6, "urad") if term.angular else (1e3, "um")

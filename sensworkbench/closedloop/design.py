@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.errors import COMPONENTS
+from ..core.errors import COMPONENTS, component
 from ..core.machine import Machine
 from ..core.shapes import legendre
 from ..core.synthesis import omega
@@ -30,12 +30,19 @@ class Term:
     order: int = 0
 
     @property
+    def angular(self) -> bool:
+        """Is it in rad?  Of a run, orders 3 to 5 are tilts."""
+        if self.group in ("run", "tool"):
+            return self.order > 2
+        return component(self.symbol).angular
+
+    @property
     def label(self) -> str:
-        """Return the parameter in words, as reports name it."""
+        """Its name for a reader."""
         if self.group == "declared" and self.symbol not in ("C0Y", "B0Z", "A0Z"):
             return f"{self.symbol} (order {self.order})"
         if self.group == "run":
-            return f"offset of run {self.symbol}"
+            return f"{'tilt' if self.angular else 'offset'} of run {self.symbol}"
         if self.group == "tool":
             return f"offset of tool {self.symbol}"
         return self.symbol
@@ -126,7 +133,11 @@ class Design:
 
 
 def design(machine: Machine, readings: Readings) -> Design:
-    """The declared model of these readings: 21 errors, set-up alignment, an offset per further run and per tool."""
+    """The declared model of these readings: declared errors, alignment of the set-up, an offset per further tool.
+
+    Each further run has an offset of its own, or with `alignment` "per run" its own shifts and tilts, or with "once"
+    none.
+    """
     lever = lever_columns(machine, readings)
     terms = declared_terms(machine)
     at = {s: i for i, s in enumerate(ALL_SYMBOLS)}
@@ -138,8 +149,10 @@ def design(machine: Machine, readings: Readings) -> Design:
     runs = run_labels(readings)
     for label in runs[1:]:
         mask = np.array([str(r) == label for r in readings.run])[readings.point]
-        terms += [Term("run", label, i) for i in range(3)]
-        blocks.append(readings.sense * mask[:, None])
+        count = {"once": 0, "per run": 6}.get(readings.alignment, 3)
+        terms += [Term("run", label, i) for i in range(count)]
+        shown = readings.sense if count <= 3 else lever[:, [at[s] for s in ALIGNMENT]]
+        blocks.append(shown[:, :count] * mask[:, None])
     tools = tool_labels(readings)
     if len(tools) > 1:
         rounded = np.round(readings.tool_offset, 4)

@@ -25,7 +25,11 @@ def to_effect(name: str, candidate, covariance, uncertainty, units=None, reach=N
     rad.  extent : (lowest, highest) value of its driver over them.
     """
     shape, coefficients, spread = candidate.shape.stored(candidate.coefficients, covariance)
-    u = np.sqrt(np.maximum(np.diag(spread), 0.0))
+    factor = component(candidate.symbol).from_shown(1.0)
+    coefficients, u = (
+        (np.asarray(v) / factor) * factor for v in (coefficients, np.sqrt(np.maximum(np.diag(spread), 0.0)))
+    )  # what is written in um or urad reads back equal
+    reach = None if reach is None else tuple((v / factor) * factor for v in reach)
     return Effect(
         name=name,
         component=candidate.symbol,

@@ -49,19 +49,26 @@ class BlockGrams:
     without some blocks and evaluated on them.
     """
 
-    def __init__(self, x, y, block):
+    def __init__(self, x, y, block, offsets=None):
+        """offsets (R, k): columns that are fitted to each block of its own in `held_out_within`."""
         self.count = int(block.max()) + 1
         n = x.shape[1]
         self.gram = np.empty((self.count, n, n))
         self.right = np.empty((self.count, n))
         self.square = np.empty(self.count)
         self.rows = np.bincount(block, minlength=self.count)
+        self.within: list[tuple[np.ndarray, np.ndarray, float]] = []
         order = np.argsort(block, kind="stable")
         edges = np.r_[0, np.cumsum(self.rows)]
         for b in range(self.count):
             part = order[edges[b] : edges[b + 1]]
             xb, yb = x[part], y[part]
             self.gram[b], self.right[b], self.square[b] = xb.T @ xb, xb.T @ yb, yb @ yb
+            if offsets is not None:
+                u, s, _ = np.linalg.svd(offsets[part], full_matrices=False)
+                u = u[:, s > 1e-9 * max(float(s.max(initial=0.0)), 1e-300)]
+                xb, yb = xb - u @ (u.T @ xb), yb - u @ (u.T @ yb)
+                self.within.append((xb.T @ xb, xb.T @ yb, float(yb @ yb)))
         self.scale = np.sqrt(np.maximum(np.einsum("bii->i", self.gram), 1e-300))
 
     def _solve(self, gram, right, columns):
@@ -81,6 +88,21 @@ class BlockGrams:
             beta = self._solve(total_gram - self.gram[b], total_right - self.right[b], columns)
             g = self.gram[b][np.ix_(columns, columns)]
             out[b] = self.square[b] - 2 * beta @ self.right[b][columns] + beta @ g @ beta
+        return out
+
+    def held_out_within(self, columns) -> np.ndarray:
+        """(B,) the same where each block's own offsets are fitted to it first.
+
+        What a far extrapolation of the model shifts as a whole is no error then; nor is anything that is constant
+        within a block.
+        """
+        columns = np.asarray(columns)
+        total_gram, total_right = self.gram.sum(axis=0), self.right.sum(axis=0)
+        out = np.empty(self.count)
+        for b in range(self.count):
+            beta = self._solve(total_gram - self.gram[b], total_right - self.right[b], columns)
+            gram, right, square = self.within[b]
+            out[b] = square - 2 * beta @ right[columns] + beta @ gram[np.ix_(columns, columns)] @ beta
         return out
 
     def half_gain(self, base, columns, use) -> float:

@@ -24,6 +24,8 @@ NOTHING = 1e-15  # length of a column over the longest: less is what rounding le
 REFINED = 300.0  # condition from which a solution is refined
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
 CROWD = 0.1  # share of the points: more than that are no gross outliers
+FEW_LEVELS = 4
+LEAST_CROWD = 5  # flagged points from which a column can crowd them
 MAD = 1.482602218505602
 
 
@@ -157,12 +159,39 @@ def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.
     return sigma, table
 
 
-def _crowded(outliers, readings: Readings) -> bool:
-    """Are these too many, or too close in order, for gross outliers?  Then they are structure, which must stay."""
+def _crowded(outliers, readings: Readings) -> np.ndarray:
+    """(R,) bool: the flagged rows that are kept as signal, because they are too many or too close for outliers.
+
+    All, where they are more than a tenth of the points.  Those that follow each other in time (three in a row), or that
+    crowd in some column: of the readings in a stretch that holds most of them, at least a third are flagged.  (A column
+    of few levels, such as a load that is on or off, brings its readings back with the effect that explains them.)
+    """
     bad = np.bincount(readings.point, weights=outliers, minlength=readings.points) > 0
-    share = float(bad.mean())
-    together = float((bad[1:] & bad[:-1]).sum()) / max(float(bad[:-1].sum()), 1.0)
-    return share > CROWD or (share > 0.01 and together > max(0.3, 3 * share))
+    count = int(bad.sum())
+    if bad.mean() > CROWD:
+        return outliers.copy()
+    kept = _streaks(bad)
+    if count >= LEAST_CROWD:
+        for v in readings.columns.values():
+            if np.ptp(v) > 0 and len(np.unique(v)) > FEW_LEVELS:
+                low, high = np.quantile(v[bad], [0.1, 0.9])
+                inside = (v >= low) & (v <= high)
+                if bad[inside].mean() > 1 / 3 and inside.mean() < 0.5:
+                    kept |= bad & inside
+    return outliers & kept[readings.point]
+
+
+def _streaks(bad) -> np.ndarray:
+    """(P,) bool: flagged points of three or more in a row; one that is not flagged does not end a longer row."""
+    edges = np.flatnonzero(np.diff(np.r_[0, bad.astype(int), 0]))
+    kept = np.zeros(len(bad), dtype=bool)
+    for a, b in zip(edges[::2], edges[1::2]):
+        if b - a >= 3:
+            kept[a:b] = True
+    if kept.any():  # what is flagged right beside a row belongs to it
+        near = np.convolve(kept, np.ones(11), mode="same") > 0
+        kept |= bad & near
+    return kept
 
 
 def _robust_start(matrix, y, weight, stated, readings: Readings):
@@ -183,15 +212,18 @@ def _robust_start(matrix, y, weight, stated, readings: Readings):
     return sigma, robust
 
 
-def _weigh(matrix, y, weight, robust, stated, readings: Readings):
-    """(sigma, noise, good): noise from the mean square of the rows that are kept, until these no longer change."""
+def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal):
+    """(sigma, noise, good): noise from the mean square of the rows that are kept, until these no longer change.
+
+    signal : (R,) bool, rows that are kept whatever they are.
+    """
     good, noise = robust > 0, {}
     for step in range(9):
         residual, leverage, rank = _quick(matrix, weight * np.sqrt(robust), y)
         kept, previous = good.sum(), good
         sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - rank, 1)), stated)
         z = residual / (sigma * np.sqrt(np.clip(1 - leverage * good, 0.05, 1)))
-        good = np.abs(z) < OUTLIER_LIMIT
+        good = (np.abs(z) < OUTLIER_LIMIT) | signal
         robust = good.astype(float)
         weight = 1 / sigma
         if step > 0 and np.array_equal(good, previous):
@@ -214,9 +246,16 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
     if start is None and stated is not None and np.isfinite(stated).all():
         first = 1 / np.maximum(stated, 1e-9)
     sigma, robust = _robust_start(matrix, y, first, stated, readings)
-    sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings)
-    if _crowded(~good, readings):
-        sigma, noise, good = _weigh(matrix, y, first, np.ones(count), stated, readings)
+    signal = np.zeros(count, dtype=bool)
+    sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings, signal)
+    for _ in range(4):
+        crowd = _crowded(~good, readings)
+        if not crowd.any():
+            break
+        signal |= crowd
+        sigma, noise, good = _weigh(
+            matrix, y, 1 / sigma, np.maximum(good, signal).astype(float), stated, readings, signal
+        )
     w = good / sigma
     whitening = None if not memory else memory_of(readings, memory, good)
     weighted, target = matrix * w[:, None], y * w

@@ -134,14 +134,33 @@ def lags(fitted, readings: Readings, count: int = 2) -> dict[int, tuple[float, .
     return out
 
 
+def slow_drift(fitted, readings: Readings, settings) -> int | None:
+    """The number of readings over which residuals are still alike, where that is too long to be noise; else None.
+
+    Judged by the correlation of each reading with the one a twentieth of the readings (five at least) before it, per
+    direction: noise of short memory has forgotten by then, and what has not is a drift that is there once.
+    """
+    points = readings.points
+    lag = max(5, round(settings.drift * points))
+    for k, found in lags(fitted, readings, lag).items():
+        count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
+        if found[-1] > max(settings.remembers, settings.drift_score / np.sqrt(max(count - lag, 1))):
+            return lag
+    return None
+
+
 def correlation(fitted, readings: Readings, settings) -> dict[int, float]:
     """Return kind -> correlation of successive residuals that is to be modelled; 0 if it is not significant, or small.
 
-    Each direction of sensing is tested alone: one that drifts is not diluted by two that do not.
+    Judged per direction: one that drifts is not diluted by two that do not.  What the fitted parameters take from the
+    correlation is added again (Marriott and Pope 1954, and the share of the degrees of freedom).
     """
     out = {}
+    used = max(int(np.count_nonzero(fitted.weight)), 1)
+    share = used / max(fitted.dof, 0.5 * used)
     for k, (first, *_) in lags(fitted, readings, 1).items():
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
         certain = first * np.sqrt(max(count, 1)) > settings.memory_score
-        out[k] = min(first, LARGEST) if first > settings.memory_least and certain else 0.0
+        whole = first * share + (1 + 3 * first) / max(count, 10)
+        out[k] = min(whole, LARGEST) if first > settings.memory_least and certain else 0.0
     return out

@@ -94,6 +94,17 @@ class Problem:
         return Scanner.regressors(self.bank, self.readings.columns, self.thin)
 
     @cached_property
+    def middle(self) -> dict[str, float]:
+        """Position column -> middle of the travel, mm; those of which it is 0 are left out."""
+        found = {n.lower(): float(np.mean(t)) for n, t in zip(self.machine.names, self.machine.travel)}
+        return {n: m for n, m in found.items() if np.isfinite(m) and abs(m) > 1e-9 and n in self.readings.columns}
+
+    @cached_property
+    def wholes(self) -> np.ndarray | None:
+        """(K,) see `Scanner.wholes`."""
+        return Scanner.wholes(self.bank, self.readings.columns, self.middle, self.thin)
+
+    @cached_property
     def blocks(self) -> dict[bool, np.ndarray]:
         """(P,) block of each point: short ones, and long ones (True) for noise that remembers."""
         s = self.settings
@@ -121,6 +132,8 @@ class Step:
 
     p : family-wise.  size : rms per reading over its noise.  gain : held out (total, standard error), chi-square.
     selection : share of half-samples.  refused : why it may not carry a name, or None.  pool : what it was chosen from.
+    clear : above the largest of the null by a margin.
+    runs : (number, all of them) exchanges of whole runs behind p, or None where rows were turned only.
     """
 
     candidate: ScoredTerm
@@ -130,6 +143,8 @@ class Step:
     selection: float = 0.0
     refused: object = None
     pool: tuple[ScoredTerm, ...] = ()
+    runs: tuple[int, bool] | None = None
+    clear: bool = True
 
 
 @dataclass(frozen=True)
@@ -137,12 +152,14 @@ class State:
     """What a trace knows: the effects so far with their evidence, the memory of the noise, roughness, and its log.
 
     memory : direction of sensing -> correlation of successive residuals (0 where they do not remember).
+    dropped : what was beyond chance when it was judged and yet not accepted, with the reason.
     """
 
     problem: Problem
     steps: tuple[Step, ...] = ()
     memory: dict = field(default_factory=dict)
     roughness: tuple[ScoredTerm, ...] = ()
+    dropped: tuple[Step, ...] = ()
     log: tuple[str, ...] = ()
 
     @property
@@ -200,9 +217,11 @@ class State:
 
     @property
     def signs(self) -> np.ndarray:
-        """(permutations, rows of a scan) signs that turn whole blocks."""
-        table = evidence.flips(self.block, self.problem.permutations, self.problem.seed)
-        return table[:, self.row_block[self.problem.scan_rows]].astype(np.float32)
+        """(permutations, rows of a scan) signs that turn whole short blocks: whitened rows do not remember."""
+        p = self.problem
+        block = p.blocks[False]
+        table = evidence.flips(block, p.permutations, p.seed)
+        return table[:, block[p.readings.point][p.scan_rows]].astype(np.float32)
 
     # -- fits ------------------------------------------------------------------------------------------------------
     def fit_with(self, candidates) -> Fit:
@@ -224,7 +243,8 @@ class State:
     def _rows(self, fitted: Fit, ortho) -> Rows:
         y = fitted.white(self.problem.readings.value)
         lever = self.problem.design.lever * fitted.weight[:, None]
-        return Rows(lever, y - ortho @ (ortho.T @ y), self.problem.start, ortho, fitted.memory)
+        p = self.problem
+        return Rows(lever, y - ortho @ (ortho.T @ y), p.start, ortho, fitted.memory, p.middle)
 
     def scanned(self, rows: Rows) -> Rows:
         """Return the rows that the scan uses."""
@@ -233,10 +253,13 @@ class State:
     def scanner(self, rows: Rows) -> Scanner:
         """Return a scanner of all candidates on these rows."""
         p = self.problem
-        return Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors)
+        return Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors, wholes=p.wholes)
 
-    def grams(self, fitted: Fit, others, candidates):
-        """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate)."""
+    def grams(self, fitted: Fit, others, candidates, within: bool = False):
+        """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate).
+
+        within : for held-out errors with a shift of each block taken out, too.
+        """
         p = self.problem
         parts = [basis(fitted.white(p.design.matrix)).ortho]
         extra = p.columns_of(others)
@@ -250,4 +273,5 @@ class State:
             mine.append(list(range(at, at + x.shape[1])))
             at += x.shape[1]
         y = fitted.white(p.readings.value)
-        return evidence.BlockGrams(np.concatenate(parts, axis=1), y, self.row_block), base, mine
+        offsets = fitted.white(p.readings.sense) if within else None
+        return evidence.BlockGrams(np.concatenate(parts, axis=1), y, self.row_block, offsets), base, mine

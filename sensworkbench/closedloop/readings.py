@@ -41,6 +41,7 @@ class Readings:
     others as written); always holds the positions by the joints' columns (mm, degrees).  units : unit of each driver
     column ("" where unknown).
     categories : text columns, (P,).  run : (P,) labels.  tool_offset : (P, 3) mm, or None.  line : (P,) in the file.
+    alignment : of the set-up: "once", "offset per run", "per run", or "" where the file does not say.
     kind : (R,) 0, 1, 2 for ex, ey, ez and 3 for a reading along its own vector - noise is estimated per kind.
     """
 
@@ -57,6 +58,7 @@ class Readings:
     tool_offset: np.ndarray | None = None
     line: np.ndarray | None = None
     findings: tuple[Finding, ...] = ()
+    alignment: str = ""
 
     @property
     def points(self) -> int:
@@ -89,6 +91,7 @@ class Readings:
             tool_offset=part(self.tool_offset),
             line=part(self.line),
             findings=self.findings,
+            alignment=self.alignment,
         )
 
     @classmethod

@@ -7,15 +7,17 @@ if it predicts blocks left out.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ..core.errors import component
 from . import evidence
+from .acceptance import judge
 from .design import ALL_SYMBOLS
 from .freeform import FreeScan
-from .problem import State
+from .noise import slow_drift
+from .problem import State, Step
 from .search import ScoredTerm, surface_candidate
 from .surface import Surface, locate, separable, sharpen
 from .unlogged import Unlogged, uneven_noise, unlogged_driver
@@ -33,14 +35,19 @@ class Remainder:
 
 @dataclass(frozen=True)
 class Rest:
-    """The remainder: the first test with the names, `smooth` forms that predict, `structured`: above the floor;
-    hidden : a motion that nobody logged, or None.
+    """All that is left beside the named effects.
+
+    first : the test for structure.  smooth : forms that predict.  structured : it is above the floor.  hidden : a
+    motion that nobody logged, or None.  drift : over how many readings what is left is alike, where that is no noise.
+    dropped : what is beyond chance and above the floor, and was not accepted.
     """
 
     first: Remainder
     smooth: tuple[ScoredTerm, ...] = ()
     structured: bool = False
     hidden: Unlogged | None = None
+    drift: int | None = None
+    dropped: tuple[Step, ...] = ()
 
 
 def remainder(state: State, model) -> Remainder:
@@ -76,8 +83,9 @@ def rest(state: State) -> Rest:
     s = state.settings
     model = [step.candidate for step in state.named]
     first = remainder(state, model)
+    dropped = _still_there(state, model)
     refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
-    structured = (first.p < s.alpha and first.size > s.floor) or bool(refused)
+    structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped)
     smooth: list[ScoredTerm] = []
     found = first
     for _ in range(3):
@@ -89,19 +97,41 @@ def rest(state: State) -> Rest:
         smooth.append(best)
         found = remainder(state, [*model, *smooth])
     hidden = None if structured else _unlogged(state, [*model, *smooth])
-    return Rest(first, tuple(smooth), structured, hidden)
+    drift = slow_drift(state.fit_with([*model, *smooth]), state.problem.readings, s)
+    return Rest(first, tuple(smooth), structured or drift is not None, hidden, drift, dropped)
+
+
+def _still_there(state: State, model) -> tuple[Step, ...]:
+    """Of what was dropped on the way, that which is beyond chance and above the floor beside the final names."""
+    known = {c.driver for c in model} | {step.candidate.driver for step in state.steps}
+    out = []
+    for step in state.dropped:
+        if step.candidate.driver not in known:
+            again = judge(state, model, step.candidate)
+            if again.p < state.settings.alpha and again.clear and again.size > state.settings.floor:
+                out.append(replace(again, refused=step.refused))
+    return tuple(out)
 
 
 def _smooth(state: State, model, rest: Remainder) -> ScoredTerm | None:
-    """Return the located surface, if it predicts left-out blocks; refined when the remaining noise is known."""
-    if rest.gain[0] <= rest.gain[1]:
-        return None
+    """The located surface, if it predicts left-out blocks at all; sharpened once the noise beside it is known.
+
+    Of the surface as located, sharpened, and as a product of two profiles, that which predicts left-out blocks best.
+    """
     found, columns = rest.structure, state.problem.scan_readings.columns
     for _ in range(2):
         full = state.fit_with([*model, surface_candidate(found)])
         rows = state.scanned(state.rows_with(full, model))
         found = sharpen(rows, columns, found)
-    return surface_candidate(separable(rows, columns, found) or found)
+    forms = [rest.structure, found]
+    forms += [s for s in (separable(rows, columns, found),) if s is not None]
+    terms = [surface_candidate(s) for s in forms]
+    full = state.fit_with(model)
+    grams, base, mine = state.grams(full, model, terms)
+    without = grams.held_out(base)
+    gains = [evidence.gain_statistics(without, grams.held_out(base + m)) for m in mine]
+    best = max(range(len(terms)), key=lambda i: gains[i][0])
+    return terms[best] if gains[best][0] > gains[best][1] else None
 
 
 def _unlogged(state: State, model) -> Unlogged | None:

@@ -40,7 +40,7 @@ from .result import (
     TraceEvidence,
     TraceResult,
 )
-from .rivals import aliases, rivals, separating_measurement
+from .rivals import aliases, driven_by, rivals, separating_measurement
 from .scan import exact_gain
 from .search import ScoredTerm, surface_candidate
 from .signs import flipped_remark
@@ -48,9 +48,12 @@ from .signs import flipped_remark
 MOST_ADVICE = 6
 
 
-def result(state: State, declared: Fit, left: Rest, verdict: str, flipped, tell) -> TraceResult:
-    """The result of a trace whose final state and verdict are known; `declared` is the fit without effects."""
-    final = _Final(state, declared, left)
+def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, flipped, tell) -> TraceResult:
+    """The result of a trace whose final state and verdict are known.
+
+    declared, full : the fits without effects and of the final model.
+    """
+    final = _Final(state, declared, full, left)
     problem = state.problem
     effects = final.effects
     machine = scores.fitted_machine(problem.machine, final.full, problem.readings, effects)
@@ -81,13 +84,13 @@ def result(state: State, declared: Fit, left: Rest, verdict: str, flipped, tell)
         sensitivity_shift=_sensitivity_shift(problem.machine, machine),
         refused=tuple(
             Refusal(s.candidate.symbol, str(s.candidate.driver), s.candidate.shape.name, s.p, s.refused)
-            for s in state.steps
+            for s in (*state.steps, *final.dropped)
             if s.refused is not None
         ),
         left=final.leftover,
         outliers=final.outliers,
         remarks=tuple(flipped_remark(kind) for kind in flipped),
-        alignment=checks.alignment_of(problem.readings),
+        alignment=problem.readings.alignment,
         guarantee=checks.guarantee(state),
         evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(final.full)),
         log=state.log,
@@ -98,19 +101,16 @@ def result(state: State, declared: Fit, left: Rest, verdict: str, flipped, tell)
 
 @dataclass(frozen=True)
 class _Final:
-    """The final model: its one fit, and what follows from it."""
+    """The final model: its fit, and what follows from it."""
 
     state: State
     declared: Fit
+    full: Fit
     left: Rest
 
     @cached_property
     def model(self) -> list[ScoredTerm]:
         return [*[s.candidate for s in self.state.named], *self.left.smooth]
-
-    @cached_property
-    def full(self) -> Fit:
-        return self.state.fit_with(self.model)
 
     @cached_property
     def blocks(self) -> list[slice]:
@@ -210,6 +210,12 @@ class _Final:
         residuals["used"] = used
         return table, residuals
 
+    @property
+    def dropped(self) -> list[Step]:
+        """What was beyond chance and yet not accepted, unless its column is in the model now."""
+        known = {c.driver for c in self.model} | {s.candidate.driver for s in self.state.steps}
+        return [s for s in self.state.dropped if s.candidate.driver not in known]
+
     # -- what is left ----------------------------------------------------------------------------------------------
     @property
     def depends_on(self) -> tuple[tuple[str, float], ...]:
@@ -286,8 +292,12 @@ class _Final:
     def leftover(self) -> Leftover:
         """What is left, in words and numbers."""
         r, alpha = self.left.first, self.state.settings.alpha
-        if self.left.structured:
-            words = [Message("left-structure")]
+        drift = [] if self.left.drift is None else [Message("left-drift", readings=self.left.drift)]
+        drift += [Message("left-dropped", dropped=driven_by(s.candidate), p=s.p) for s in self.left.dropped]
+        if drift and (r.p >= alpha or r.structure is None):
+            words = drift
+        elif self.left.structured:
+            words = [Message("left-structure"), *drift]
         elif r.p < alpha:
             words = [Message("left-below-floor")]
         else:

@@ -186,10 +186,11 @@ def separating_measurement(state: State, finding: ScoredTerm, rival: ScoredTerm,
         bodies = sorted({component(finding.symbol).body, component(rival.symbol).body})
         do = Message("do-watch-bodies", bodies=bodies) if len(bodies) > 1 else Message("do-change-one")
         size = problem.amplitude(finding)
-    return NextMeasurement((_words(finding), _words(rival)), do, size)
+    return NextMeasurement((driven_by(finding), driven_by(rival)), do, size)
 
 
-def _words(c: ScoredTerm) -> Message:
+def driven_by(c: ScoredTerm) -> Message:
+    """`EZX by x*z` of a term, with its shape where that is not in proportion."""
     if c.shape.proportional:
         return Message("driven-by", component=c.symbol, driver=str(c.driver))
     return Message("driven-by-shaped", component=c.symbol, driver=str(c.driver), shape=c.shape.words)

@@ -8,6 +8,7 @@ per point, and cᵀMc needs the driver bank against Q alone: no candidate is eve
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -28,7 +29,7 @@ class Rows:
 
     lever (R, C), times weight.  residual (R,): whitened, orthogonal to the model.  start (P,): first row of each point.
     ortho (R, m): orthonormal basis of the whitened model.  memory : of the noise, or None where it is white; then
-    whitened means weighted.
+    whitened means weighted.  middle : position column -> middle of the travel, where that is not 0 (see `whole`).
     """
 
     lever: np.ndarray
@@ -36,6 +37,7 @@ class Rows:
     start: np.ndarray
     ortho: np.ndarray
     memory: Memory | None = None
+    middle: Mapping[str, float] = field(default_factory=dict)
     kept: dict = field(default_factory=dict, repr=False, compare=False)
 
     def gather(self, x) -> np.ndarray:
@@ -116,7 +118,7 @@ class Rows:
         ortho, r = np.linalg.qr(ortho)
         ortho = ortho[:, np.abs(np.diag(r)) > 1e-9]
         start = np.r_[0, np.cumsum(size[keep])[:-1]]
-        return Rows(self.lever[mask], residual - ortho @ (ortho.T @ residual), start, ortho, memory)
+        return Rows(self.lever[mask], residual - ortho @ (ortho.T @ residual), start, ortho, memory, self.middle)
 
     def per_point(self, component: int):
         """(model (P, m), squares (P,), residual (P,), pairs) of one component, summed over each point's rows; kept."""
@@ -139,6 +141,16 @@ class Rows:
         return self.pulled(self.ortho)
 
 
+def whole(regressor: Regressor, columns, middle: Mapping[str, float]) -> np.ndarray | None:
+    """(P, m) the columns of a product with its places counted from the middle of the travel, or None: as they are.
+
+    How much of a product is visible beside the declared model must not depend on where the coordinates begin.
+    """
+    if not regressor.shape.proportional or not set(regressor.driver.columns) & set(middle):
+        return None
+    return regressor.vectors({**columns, **{n: columns[n] - m for n, m in middle.items() if n in columns}})
+
+
 @dataclass
 class Scores:
     """Per bank entry and component: gain = drop of chi-square; visible = share not imitated; power = mean square shown.
@@ -155,10 +167,11 @@ class Scores:
 class Scanner:
     """Prepared products of a bank with one set of rows; `scores(residual)` is then cheap."""
 
-    def __init__(self, rows: Rows, shapes: list[Regressor], places=None, v=None, columns=None):
+    def __init__(self, rows: Rows, shapes: list[Regressor], places=None, v=None, columns=None, wholes=None):
         """places : component numbers to score (default all); components that move alike need one number only.
 
-        v : what `regressors` returns for the points of `rows`; else it is made from `columns`.
+        v : what `regressors` returns for the points of `rows`; else it is made from `columns`.  wholes : what `wholes`
+        returns for them, or None.
         """
         self.rows, self.shapes = rows, shapes
         self.places = np.arange(rows.lever.shape[1]) if places is None else np.asarray(places)
@@ -166,7 +179,21 @@ class Scanner:
         self.width = np.array([s.size for s in shapes], dtype=int)
         self.v = self.regressors(shapes, columns) if v is None else v
         self.first = np.cumsum(np.r_[0, self.width[:-1]]) if len(shapes) else np.zeros(0, int)
-        self._denominators()
+        self._denominators(wholes)
+
+    @staticmethod
+    def wholes(shapes: list[Regressor], columns, middle, points=None) -> np.ndarray | None:
+        """(K,) mean square of each entry's `whole` over that of the entry itself; None where nothing differs."""
+        if not middle:
+            return None
+        out = np.ones(len(shapes))
+        for k, shape in enumerate(shapes):
+            shifted = whole(shape, columns, middle)
+            if shifted is not None:
+                v = shape.vectors(columns)
+                a, b = (x if points is None else x[points] for x in (shifted, v))
+                out[k] = max(float((a**2).mean()), 1e-12 * float((b**2).mean())) / max(float((b**2).mean()), 1e-300)
+        return out
 
     @staticmethod
     def regressors(shapes: list[Regressor], columns, points=None) -> np.ndarray:
@@ -180,7 +207,7 @@ class Scanner:
         scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
         return np.ascontiguousarray(v / np.where(scale > 0, scale, 1.0))
 
-    def _denominators(self):
+    def _denominators(self, wholes):
         rows = self.rows
         squares, crossed = rows.squares(self.lever), rows.crossed(self.lever)  # (P, C)
         components = self.lever.shape[1]
@@ -213,6 +240,8 @@ class Scanner:
         self.visible = share[one].copy()
         two = self.width == 2
         self.visible[two] = np.minimum(share[pairs], share[pairs + 1])
+        if wholes is not None:
+            self.visible = np.minimum(self.visible / wholes[:, None], 1.0)
         largest = total.max(initial=0.0)
         self.valid = (self.visible > MIN_VISIBLE) & (total[one] > 1e-10 * largest)
 

@@ -30,7 +30,7 @@ def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -
         value = float(fitted.coefficients[i])
         u = float(errors[i]) if fitted.determined[i] else None
         if term.group == "run":
-            runs.setdefault(term.symbol, {})[SHIFTS[term.order]] = Constant(value)
+            runs.setdefault(term.symbol, {})[ALIGNMENT[term.order]] = Constant(value)
         elif term.group == "tool":
             tools.setdefault(term.symbol, [0.0, 0.0, 0.0])[term.order] = value
         elif term.group == "alignment":
@@ -64,9 +64,7 @@ def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -
 def covariance_table(fitted: Fit) -> tuple[list[str], np.ndarray]:
     """(labels, covariance) of the declared terms in um and urad (zero rows where not determined)."""
     terms = fitted.design.terms
-    scale = np.array(
-        [1e3 if t.group in ("run", "tool") or not component(t.symbol).angular else 1e6 for t in terms], dtype=float
-    )
+    scale = np.array([1e6 if t.angular else 1e3 for t in terms], dtype=float)
     n = len(terms)
     return [f"{t.group} {t.label}" for t in terms], fitted.covariance[:n, :n] * np.outer(scale, scale)
 

@@ -20,7 +20,7 @@ from ..core.shapes import Regressor, Shape
 from .bank import beside
 from .design import ALL_SYMBOLS
 from .prior import handicap
-from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain
+from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain, whole
 from .surface import Surface
 
 
@@ -69,8 +69,14 @@ class ScoredTerm:
         return ALL_SYMBOLS.index(self.symbol)
 
 
-def _candidate(rows: Rows, symbol: str, regressor: Regressor, columns) -> ScoredTerm:
-    gain, coefficients, visible = exact_gain(rows, ALL_SYMBOLS.index(symbol), regressor.vectors(columns))
+def scored(rows: Rows, symbol: str, regressor: Regressor, columns) -> ScoredTerm:
+    """The term of a component and a driver through a shape beside the model of `rows`."""
+    vectors = regressor.vectors(columns)
+    gain, coefficients, visible = exact_gain(rows, ALL_SYMBOLS.index(symbol), vectors)
+    shifted = whole(regressor, columns, rows.middle)
+    if shifted is not None:
+        share = float((shifted**2).mean()) / max(float((vectors**2).mean()), 1e-300)
+        visible = min(visible / max(share, 1e-12), 1.0)
     return ScoredTerm(symbol, regressor, gain, coefficients, visible, handicap(symbol, regressor))
 
 
@@ -103,7 +109,7 @@ def _refined(rows: Rows, candidate: ScoredTerm, name: str, columns, steps: int) 
     search, start = regressor.shape.parameters[name].search, regressor.shape.values[name]
 
     def at(value) -> ScoredTerm:
-        return _candidate(rows, candidate.symbol, regressor.having(**{name: value}), columns)
+        return scored(rows, candidate.symbol, regressor.having(**{name: value}), columns)
 
     def seen(value) -> float:
         """Gain, where enough of the shape shows beside the declared model: a fit of the rest is a fit of noise."""
@@ -151,7 +157,7 @@ def merged(a: ScoredTerm, b: ScoredTerm, columns) -> ScoredTerm | None:
 def tried_beside(rows: Rows, symbols, columns, names) -> list[ScoredTerm]:
     """Return candidates of the shapes that are too many for the bank, on some components."""
     regressors = beside(columns, names)
-    return [_candidate(rows, symbol, r, columns) for symbol in symbols for r in regressors]
+    return [scored(rows, symbol, r, columns) for symbol in symbols for r in regressors]
 
 
 def search(
@@ -184,7 +190,7 @@ def search(
         if key in found:
             continue
         symbol = min((ALL_SYMBOLS[c] for c in groups[g]), key=lambda s, r=regressor: handicap(s, r))
-        found[key] = _candidate(rows, symbol, regressor, columns)
+        found[key] = scored(rows, symbol, regressor, columns)
         if len(found) >= 3 * keep:
             break
     if not found:

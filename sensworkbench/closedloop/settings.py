@@ -51,9 +51,12 @@ class TraceSettings:
     remembers: float = _setting(0.3, "correlation", "of successive residuals from which the noise is taken to remember")
     memory_least: float = _setting(0.2, "correlation", "of successive residuals in one direction; less is not modelled")
     memory_score: float = _setting(3.0, "standard errors", "that it must be above zero to be modelled")
+    drift: float = _setting(0.05, SHARE, "of the readings: residuals alike over so many are a drift, and no noise")
+    drift_score: float = _setting(4.0, "standard errors", "that their correlation must be above zero")
     short_blocks: int = _setting(30, COUNT, "blocks of readings where the noise does not remember")
     long_blocks: int = _setting(10, COUNT, "blocks where it does: they must be longer than its memory")
     misfit: float = _setting(0.01, "probability", "of chi-square, below which the stated u is contradicted")
+    tilt: float = _setting(0.01, "probability", "of the runs' tilts, below which each run is aligned on its own")
     # signs of the directions of sensing
     sign_gain: float = _setting(25.0, NATS, "of log-likelihood that turning a sign must gain")
     sign_share: float = _setting(0.05, "nats per reading", "the same in long tables, where every small misfit adds up")

@@ -14,6 +14,7 @@ import numpy as np
 from ..core.driver import TIME
 from ..core.workspace import Cancelled
 from ..messages import Message
+from . import evidence
 from .acceptance import is_line, judge, review
 from .design import ALL_SYMBOLS
 from .freeform import free_regressor
@@ -61,6 +62,8 @@ def _next(state: State) -> tuple[State, Step | None]:
             if found:
                 heard = heard.heard(heard.fit_with([*others, found[0]]))
         state = heard
+    if state.remembers:
+        found = _by_left_out_blocks(state, others, found)
     tried: set = set()
     lines = True
     for best in found:
@@ -75,6 +78,7 @@ def _next(state: State) -> tuple[State, Step | None]:
         )
         if best.shape.wave and step.p < state.settings.alpha and not is_line(state, others, step.candidate):
             state = replace(state, roughness=(*state.roughness, step.candidate))
+            state = _drop(state, step, Message("refused-roughness"))
             lines = False
             continue
         tried.add(best.driver)
@@ -82,7 +86,36 @@ def _next(state: State) -> tuple[State, Step | None]:
             return state, replace(step, pool=tuple(found))
         if not step.p < state.settings.alpha:
             return state, None
+        if step.size > state.settings.floor:
+            state = _drop(state, step, Message("refused-held-out", gain=step.gain[0], error=step.gain[1]))
+        else:
+            state = _drop(state, step, Message("refused-small", size=step.size))
     return state, None
+
+
+def _drop(state: State, step: Step, why: Message) -> State:
+    """The state with a term that was beyond chance and is not accepted; one entry for each component and driver."""
+    same = lambda s: s.candidate.key == step.candidate.key  # noqa: E731
+    kept = tuple(s for s in state.dropped if not same(s))
+    return replace(state, dropped=(*kept, replace(step, refused=why)))
+
+
+def _by_left_out_blocks(state: State, others, found) -> list[ScoredTerm]:
+    """The candidates ordered by long blocks left out; of those within half a standard error of the best, the simplest.
+
+    Where noise remembers, slow columns and time imitate each other and the noise; a fit to some hours that predicts the
+    others does not.
+    """
+    some = found[:40]
+    if len(some) < 2:
+        return found
+    grams, base, mine = state.grams(state.fit_with(others), others, some)
+    errors = [grams.held_out(base + m) for m in mine]
+    totals = np.array([e.sum() for e in errors])
+    best = int(np.argmin(totals))
+    near = [i for i in range(len(some)) if evidence.no_worse(errors[i], errors[best])]
+    near.sort(key=lambda i: (some[i].handicap, totals[i]))
+    return [some[i] for i in [*near, *(i for i in np.argsort(totals) if i not in near)]]
 
 
 def settle(state: State, rounds: int = 3) -> State:
@@ -93,6 +126,12 @@ def settle(state: State, rounds: int = 3) -> State:
         for i, step in enumerate(state.steps):
             others = [s.candidate for j, s in enumerate(state.steps) if j != i]
             rows = state.rows_with(state.fit_with(state.candidates), others)
+            if state.remembers:  # chosen by blocks left out; only its parameters settle
+                better = refine(rows, step.candidate, p.readings.columns)
+                changed |= better.gain > step.candidate.gain + 1.0
+                better = replace(step, candidate=better)
+                state = replace(state, steps=(*state.steps[:i], better, *state.steps[i + 1 :]))
+                continue
             found = search(rows, p.readings, state.scanner(rows), p.names, p.groups)
             if not step.candidate.shape.wave:
                 found = [c for c in found if not c.shape.wave or not state.roughness]

@@ -16,7 +16,9 @@ from ..core.machine import Machine
 from ..core.workspace import Cancelled
 from ..messages import Refused
 from .acceptance import review
-from .declared import without_known_effects
+from .checks import contradicted
+from .declared import aligned, without_known_effects
+from .fit import Fit
 from .problem import Problem, State
 from .readings import Readings
 from .remainder import Rest, rest
@@ -46,9 +48,9 @@ def trace(
     tell = progress or (lambda fraction, words: True)
     if floor is not None:
         settings = replace(settings, floor=floor)
-    readings = without_known_effects(machine, readings)
     if readings.rows < settings.least_readings:
         raise Refused("trace-few-readings", "readings", count=readings.rows, least=settings.least_readings)
+    readings = aligned(machine, without_known_effects(machine, readings), settings)
     state = State(Problem(machine, readings, settings, seed, permutations))
     declared = state.fit_with([])
     if declared.dof < settings.least_dof:
@@ -72,7 +74,8 @@ def trace(
             state = polish(whole)
             left = rest(state)
     _tell(tell, 0.75, "what is left is tested")
-    return result(state, declared, left, verdict(state, left), flipped, tell)
+    full = state.fit_with([*(s.candidate for s in state.named), *left.smooth])
+    return result(state, declared, full, left, verdict(state, left, full), flipped, tell)
 
 
 def _tell(tell, fraction: float, words: str) -> None:
@@ -80,16 +83,19 @@ def _tell(tell, fraction: float, words: str) -> None:
         raise Cancelled("cancelled")
 
 
-def verdict(state: State, left: Rest) -> str:
-    """Return the verdict from the named effects and the remainder.
+def verdict(state: State, left: Rest, full: Fit) -> str:
+    """The verdict on what is named and what is left; `full` : the fit of the final model.
 
-    A trend of time replaces a column that was not logged, and is no explanation; a warm-up or an instant is.
+    A trend of time stands in for a column that was not logged, and is no explanation; a warm-up or an instant is.  More
+    scatter than the stated uncertainty allows withholds `explained`.  What was found beyond chance and above the floor
+    and then dropped is structure.
     """
+    more = contradicted(full, state.problem.readings, state.settings)
     stand_in = any(
         TIME in s.candidate.driver and not (s.candidate.shape.warm_up or s.candidate.shape.sudden) for s in state.named
     )
     if state.named:
-        return PARTLY if left.structured or left.hidden or stand_in else EXPLAINED
+        return PARTLY if left.structured or left.hidden or stand_in or more else EXPLAINED
     if left.structured:
         return UNEXPLAINED
     return PARTLY if left.hidden else NOTHING

@@ -23,6 +23,7 @@ ANSWERS = {
     "angles": ("active", "passive"),
     "squareness": ("direction", "carried"),
     "squareness_sign": ("right_handed", "larger_than_90"),
+    "alignment": ("not_stated", "once", "offset_per_run", "per_run"),  # of the set-up: see SPEC of readings
 }
 NOT_IN_READINGS = {
     "angles": "convention-nothing-converted",
@@ -58,6 +59,8 @@ def read_answers(comments, header: Mapping, names_line: int, source: str) -> dic
             continue
         where = f"{source}, line {line}" if line else "mapping, header"
         word, *axes = said.lower().replace("-", "_").replace(",", " ").split() or [""]
+        if key == "alignment":
+            word, axes = "_".join([word, *axes]), []
         if word not in ANSWERS[key] or (axes and not (key == "positions" and set(axes) <= set("xyz"))):
             raise Refused("statement-answer", where, text=short(said), key=key, known=list(ANSWERS[key]))
         if line > names_line:

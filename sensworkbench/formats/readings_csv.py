@@ -404,7 +404,13 @@ class _Reader:
             tool_offset=tool if has_tool else None,
             line=line,
             findings=tuple(self.findings),
+            alignment=self._alignment(),
         )
+
+    def _alignment(self) -> str:
+        """Of the set-up, as the file states it, or ""."""
+        word = self._answer("alignment")[0]
+        return "" if word == "not_stated" else word.replace("_", " ")
 
     def _derive_directions(self, columns: dict) -> None:
         derived = []

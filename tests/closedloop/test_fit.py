@@ -10,8 +10,10 @@ import pytest
 from scipy import stats
 
 from sensworkbench.closedloop.design import ALL_SYMBOLS, design
-from sensworkbench.closedloop.fit import fit
+from sensworkbench.closedloop.fit import correlation, fit
+from sensworkbench.closedloop.noise import memory_of
 from sensworkbench.closedloop.readings import Readings
+from sensworkbench.closedloop.settings import DEFAULT
 
 from .support import both, least_squares, measured, scattered, session
 
@@ -186,3 +188,46 @@ def test_one_reading_a_point_is_enough():
     found = fit(design(machine, laser), laser)
     assert found.noise == pytest.approx({3: NOISE}, rel=0.06)
     assert stats.kstest(found.residual * found.weight, "norm").pvalue > 0.01
+
+
+def test_a_transient_is_no_outlier():
+    machine, readings = noisy(400, 4)
+    early = np.exp(-np.arange(readings.points) / 6.0) * 60 * NOISE  # a warm-up of twenty readings, then nothing
+    slow = replace(readings, value=readings.value + early[readings.point] * (readings.kind == 2))
+    spike = slow.value.copy()
+    spike[slow.point == 200] += 40 * NOISE
+    found = fit(design(machine, slow), replace(slow, value=spike))
+    assert not found.outliers[readings.point < 20].any()
+    assert found.outliers[readings.point == 200].all()
+
+
+def test_the_memory_of_noise_is_taken_from_each_direction_and_modelled():
+    machine, readings = noisy(400, 6)
+    rng = np.random.default_rng(8)
+    value = readings.value.copy()
+    rows = np.flatnonzero(readings.kind == 2)
+    noise = rng.normal(size=len(rows)) * NOISE
+    for i in range(1, len(rows)):
+        noise[i] = 0.8 * noise[i - 1] + 0.6 * noise[i]
+    value[rows] += 3 * noise
+    remembering = replace(readings, value=value)
+    plain = fit(design(machine, remembering), remembering)
+    memory = correlation(plain, remembering, DEFAULT)
+    assert memory[2] == pytest.approx(0.75, abs=0.12) and memory[0] == memory[1] == 0.0
+    found = fit(plain.design, remembering, memory=memory)
+    white = found.white(found.residual)[rows]
+    assert abs(white[1:] @ white[:-1]) / (white @ white) < 0.15
+
+
+def test_whitening_and_its_transpose_and_inverse_belong_together():
+    _, readings = noisy(30, 1)
+    memory = memory_of(readings, {0: 0.5, 1: 0.0, 2: 0.9}, np.random.default_rng(1).random(readings.rows) > 0.1)
+    rng = np.random.default_rng(2)
+    x, y = rng.normal(size=(2, readings.rows))
+    assert memory.forward(x) @ y == pytest.approx(x @ memory.back(y), rel=1e-12)
+    assert memory.solve(memory.forward(x)) == pytest.approx(x, abs=1e-12)
+    dense = memory.forward(np.eye(readings.rows))
+    inverse = dense.T @ dense
+    assert np.diag(inverse) == pytest.approx(memory.diagonal, rel=1e-12)
+    rows, before, entry = memory.neighbours
+    assert inverse[rows, before] == pytest.approx(entry, rel=1e-12, abs=1e-15)

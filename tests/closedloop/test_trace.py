@@ -147,11 +147,18 @@ def test_an_effect_that_the_machine_knows_already_is_traced_no_second_time(bent)
     assert predict(again.machine, readings) == pytest.approx(predict(outcome.machine, readings), abs=0.1e-3)
 
 
-def test_a_stated_uncertainty_that_is_wrong_changes_no_verdict(bent):
+def test_a_stated_uncertainty_is_evidence(bent):
+    """More scatter than stated withholds `explained`; less is a remark; what is right is neither."""
     machine, readings, _ = bent
-    for factor in (0.4, 2.5):
+    for factor, verdict, code in (
+        (0.4, "partly_explained", "noise-more-than-stated"),
+        (1.0, "explained", None),
+        (2.5, "explained", "noise-less-than-stated"),
+    ):
         outcome = trace(machine, replace(readings, u=np.full(readings.rows, factor * NOISE)), seed=1)
-        assert report_of(outcome)["verdict"] == "explained" and is_the_bend(outcome)
+        assert report_of(outcome)["verdict"] == verdict and is_the_bend(outcome)
+        assert {m.code for m in outcome.noise.remarks} == ({code} if code else set())
+        assert all(r == pytest.approx(1 / factor**2, rel=0.25) for r in outcome.noise.ratio.values())
         assert report_of(outcome)["noise"]["stated_um"] == pytest.approx(1e3 * factor * NOISE)
         assert report_of(outcome)["noise"]["residual_um"] == pytest.approx(1e3 * NOISE, rel=0.1)
 
