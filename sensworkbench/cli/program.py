@@ -35,7 +35,7 @@ class Parser(argparse.ArgumentParser):
 
     def error(self, message):
         """Refuse the words, with where they are explained."""
-        raise Refused(message, self.prog, f"See {self.prog} --help.")
+        raise Refused("command-line-words", self.prog, words=message, program=self.prog)
 
 
 def parser() -> argparse.ArgumentParser:
@@ -140,9 +140,7 @@ def _run_on_freecads_numpy(argv: Sequence[str]) -> int:
     except Refused:
         if os.environ.get("SENS_FREECADCMD"):  # the one that was asked for is not there: that is the message
             raise
-        what = "numpy is missing from this Python, and there is no FreeCAD to run in"
-        do = "Install numpy for it, use another Python, or install FreeCAD, which brings numpy."
-        raise Refused(what, sys.executable, do) from None
+        raise Refused("numpy-missing", sys.executable) from None
     return handoff.run(argv)
 
 

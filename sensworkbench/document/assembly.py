@@ -36,7 +36,7 @@ def name_axes(reading: Reading, names: dict | None = None) -> None:
         along = [[abs(v) for v in joints.direction(s.joint)] for s in sliders]
         orders = [o for o in permutations(AXES) if all(s.axis in ("", a) for s, a in zip(sliders, o))]
         if not orders:
-            raise Refused("two sliders are stated to be one axis", reading.assembly.label, "Name X, Y and Z once each.")
+            raise Refused("assembly-axis-twice", reading.assembly.label)
         letters = max(orders, key=lambda o: sum(row[AXES.index(a)] for row, a in zip(along, o)))
     for slider, letter in zip(sliders, letters):
         slider.axis = letter
@@ -55,9 +55,10 @@ def sides(reading: Reading, workpiece=None, tool=None) -> tuple[list[Slider], li
                     if where.key[: len(part.key)] == part.key:
                         return k
         raise Refused(
-            f"{where.label!r} is on no carriage of {reading.assembly.label!r}",
+            "assembly-part-moves-not",
             reading.assembly.label,
-            "Choose a part that a slider moves, or one of the bed.",
+            part=repr(where.label),
+            assembly=repr(reading.assembly.label),
         )
 
     if tool is not None:

@@ -72,11 +72,11 @@ def read(assembly) -> Reading:
     real = joints.linked(where.object) if where is not None else None
     if not joints.is_assembly(real):
         label = where.object.Label if where is not None else "nothing"
-        raise Refused(f"{label!r} is no assembly", label, "Select an assembly, or use Machine from Selection.")
+        raise Refused("assembly-none", label, object=repr(label))
     parts, found = [], []
     _walk(where, parts, found)
     if not parts:
-        raise Refused(f"assembly {where.object.Label!r} holds no parts", where.object.Label, "Insert the parts first.")
+        raise Refused("assembly-empty", where.object.Label, object=repr(where.object.Label))
     return _Reader(where, parts, found).reading()
 
 
@@ -194,7 +194,7 @@ class _Reader:
             else:  # a sub-assembly that is walked: what stands on the ground inside of it
                 self.grounded += self._ground_inside(inside, grounds)
         if not self.grounded:
-            raise Refused("no part is grounded", self.label, "Ground the bed (Toggle Grounded) first.")
+            raise Refused("assembly-not-grounded", self.label)
         for number in self.grounded[1:]:
             self._merge(self.grounded[0], number)
 
@@ -224,9 +224,10 @@ class _Reader:
                     if joints.direction(known).cross(u).Length < PARALLEL:
                         break
                     raise Refused(
-                        f"{known.object.Label!r} and {joint.object.Label!r} connect the same parts in two directions",
+                        "assembly-two-directions",
                         self.label,
-                        "Give each axis a carriage of its own.",
+                        one=repr(known.object.Label),
+                        other=repr(joint.object.Label),
                     )
             else:
                 kept.append((joint, one, other))
@@ -235,33 +236,26 @@ class _Reader:
     def _branches(self, groups, sliders, bed) -> list[list[Slider]]:
         rigid = [p.object.Label for p in self.parts if _is_rigid(p.object) and _has_slider(p.object)]
         if len(sliders) < 3 and rigid:
-            raise Refused(
-                f"the sliders inside {', '.join(map(repr, rigid))} are held still, for it is rigid",
-                self.label,
-                "Set its property Rigid to false.",
-            )
+            raise Refused("assembly-rigid", self.label, assemblies=[repr(r) for r in rigid])
         if not sliders:
-            raise Refused(
-                "no slider joint connects the parts",
-                self.label,
-                "Add slider joints, or pick the axes: Machine from Selection proposes them from the geometry.",
-            )
+            raise Refused("assembly-no-slider", self.label)
         if len(sliders) != 3:
             names = ", ".join(repr(s[0].object.Label) for s in sliders)
             more = len(sliders) > 3
-            do = "Switch off those that are no machine axis." if more else "Add the missing ones."
-            raise Refused(f"{len(sliders)} slider joints where three are needed: {names}", self.label, do)
+            raise Refused(
+                "assembly-sliders-more" if more else "assembly-sliders-fewer",
+                self.label,
+                count=len(sliders),
+                names=names,
+            )
         waiting, reached, tree = list(sliders), {bed}, []
         while waiting:
             step = next((s for s in waiting if (s[1] in reached) != (s[2] in reached)), None)
             if step is None:
                 closed = [s for s in waiting if s[1] in reached]
                 joint = (closed or waiting)[0][0].object
-                what = "closes a loop" if closed else "is not connected to the grounded part"
                 raise Refused(
-                    f"slider {joint.Label!r} {what}",
-                    self.label,
-                    "A serial machine: each carriage slides on the one before it, the first ones on the bed.",
+                    "assembly-slider-loop" if closed else "assembly-slider-loose", self.label, slider=repr(joint.Label)
                 )
             waiting.remove(step)
             joint, one, other = step
@@ -297,19 +291,13 @@ def _chains(tree: list[Slider], groups, bed: int, label: str) -> list[list[Slide
     branches = [[s] for s in tree if s.inner == bed]
     if len(branches) > 2:
         names = ", ".join(repr(b[0].joint.object.Label) for b in branches)
-        raise Refused(
-            f"three carriages slide on the bed: {names}", label, "At most two do: the tool's and the workpiece's."
-        )
+        raise Refused("assembly-three-on-bed", label, names=names)
     for branch in branches:
         while True:
             following = [s for s in tree if s.inner == branch[-1].outer]
             if len(following) > 1:
                 names = ", ".join(repr(s.joint.object.Label) for s in following)
-                raise Refused(
-                    f"{groups[branch[-1].outer].label!r} carries two carriages: {names}",
-                    label,
-                    "Each carriage carries at most one other.",
-                )
+                raise Refused("assembly-carries-two", label, part=repr(groups[branch[-1].outer].label), names=names)
             if not following:
                 break
             branch.append(following[0])

@@ -30,11 +30,7 @@ def _sound(where: Place):
     try:
         yield
     except (Part.OCCError, ArithmeticError) as error:
-        raise Refused(
-            f"the geometry of {where.label!r} cannot be evaluated ({error})",
-            where.object.Label,
-            "Repair or replace it.",
-        ) from None
+        raise Refused("geometry-not-evaluated", where.object.Label, object=repr(where.label), why=str(error)) from None
 
 
 def _direction(where: Place, along: str, name: str):
@@ -78,11 +74,7 @@ def _of_shape(where: Place, shape):
             return normal, f"normal of {where.label}"
         if hasattr(surface, "Axis"):
             return App.Vector(surface.Axis).normalize(), f"axis of {where.label}"
-    raise Refused(
-        f"{where.label!r} gives no direction",
-        where.object.Label,
-        "Choose a straight or circular edge, a flat or cylindrical face, a datum, or a local axis.",
-    )
+    raise Refused("geometry-no-direction", where.object.Label, object=repr(where.label))
 
 
 def point(where: Place, at: str) -> tuple[App.Vector, str]:
@@ -97,7 +89,7 @@ def _point(where: Place, at: str):
     if at == "Centre of mass":
         found = centre_of_mass([where])
         if found is None:
-            raise Refused(f"{where.object.Label!r} has no solid", where.object.Label, "Choose another reference.")
+            raise Refused("geometry-no-solid", where.object.Label, object=repr(where.object.Label))
         return found, f"centre of mass of {where.object.Label}"
     if where.element:
         return _point_of_shape(where, where.shape())
@@ -118,7 +110,7 @@ def _point_of_shape(where: Place, shape):
         return App.Vector(curves.curve(shape).Center), f"centre of {where.label}"
     if hasattr(shape, "CenterOfMass"):
         return shape.CenterOfMass, f"middle of {where.label}"
-    raise Refused(f"{where.label!r} gives no point", where.object.Label, "Choose a vertex, an edge, a face or a datum.")
+    raise Refused("geometry-no-point", where.object.Label, object=repr(where.label))
 
 
 def centre_of_mass(where: list[Place]) -> App.Vector | None:

@@ -33,17 +33,13 @@ def freecadcmd() -> str:
     if stated:
         found = shutil.which(stated)
         if not found:
-            raise Refused(f"there is no program {stated!r}", "SENS_FREECADCMD", "Name freecadcmd with its folder.")
+            raise Refused("freecad-no-program", "SENS_FREECADCMD", program=repr(stated))
         return found
     for name in NAMES:
         found = shutil.which(name)
         if found:
             return found
-    raise Refused(
-        "a FreeCAD document needs FreeCAD, and freecadcmd is not on the path",
-        "FreeCAD",
-        "Install FreeCAD, or set SENS_FREECADCMD to its freecadcmd.",
-    )
+    raise Refused("freecad-missing", "FreeCAD")
 
 
 def run(argv: Sequence[str]) -> int:

@@ -55,7 +55,7 @@ def split(obj) -> list:
         return parts
     solids = obj.Shape.Solids if hasattr(obj, "Shape") else []
     if len(solids) < 2:
-        raise Refused(f"{obj.Label!r} holds {len(solids)} solid", obj.Label, "Choose an object of several solids.")
+        raise Refused("import-too-few-solids", obj.Label, object=repr(obj.Label), count=len(solids))
     doc, outer = obj.Document, obj.getParentGeoFeatureGroup()
     holder = doc.addObject("App::Part", f"{obj.Name}_parts")
     holder.Label = f"{obj.Label}, parts"

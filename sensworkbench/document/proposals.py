@@ -75,7 +75,7 @@ def propose_axes(objects) -> list[AxisProposal]:
 
 def _axes(pieces: list[Piece], found: list[Guide] | None) -> list[AxisProposal]:
     if not pieces:
-        raise Refused("there are no solids", "selection", "Select the parts of the machine.")
+        raise Refused("proposal-no-solids", "selection")
     found = contacts.guides(pieces) if found is None else found
     clusters: list[list] = []  # [direction, score, longest, piece, why]
     for guide in found:
@@ -125,7 +125,7 @@ def _source(piece: Piece, u: App.Vector) -> tuple[tuple, bool]:
         if fitting:
             _, element, v = max(fitting, key=lambda c: c[0])
             return (piece.where.root, piece.where.path + element), v.dot(u) < 0
-    raise Refused(f"{piece.label!r} has no edge along its own direction", piece.label, "Choose the direction by hand.")
+    raise Refused("proposal-no-edge", piece.label, object=repr(piece.label))
 
 
 # -- the whole machine -----------------------------------------------------------------------------------------------
@@ -138,14 +138,12 @@ def propose_machine(objects, progress=None) -> MachineProposal:
     """
     pieces = pieces_of(objects)
     if len(pieces) < 4:
-        raise Refused(
-            f"{len(pieces)} parts where a machine has at least four", "selection", "Split the compound into its parts."
-        )
+        raise Refused("proposal-too-few-parts", "selection", count=len(pieces))
     found = contacts.guides(pieces)
     stopped: list[bool] = []
     pairs = contacts.contacts(pieces, found, _watched(progress, stopped))
     if stopped:
-        raise Refused("stopped before all parts were examined", "selection", "Start again.")
+        raise Refused("proposal-stopped", "selection")
     bolted, sliding = contacts.sort_contacts(pieces, found, pairs)
     body = _bodies(len(pieces), bolted)
     edges = _by_rails(body, sliding)
@@ -239,11 +237,7 @@ class _Builder:
 
     def proposal(self, axes: list[AxisProposal]) -> MachineProposal:
         if len(self.edges) != 3 or len({b for pair in self.edges for b in pair}) != 4:
-            raise Refused(
-                f"the rails show {len(self.edges)} places where parts slide, not three in a row",
-                "selection",
-                "Choose bed and carriages by hand; the directions that the geometry suggests are proposed.",
-            )
+            raise Refused("proposal-not-in-a-row", "selection", count=len(self.edges))
         directions = {pair: max(found, key=lambda s: s.guide.length).guide.direction
                       for pair, found in self.edges.items()}  # fmt: skip
         letter = dict(zip(directions, _letters(list(directions.values()))))
@@ -285,7 +279,7 @@ class _Builder:
             inner, branch = ends.pop(0)
             following = [pair for pair in waiting if inner in pair]
             if len(following) > (2 if inner == bed else 1):
-                raise Refused("a carriage carries two others", "selection", "Choose bed and carriages by hand.")
+                raise Refused("proposal-carries-two", "selection")
             for pair in following:
                 del waiting[pair]
                 outer = pair[0] if pair[1] == inner else pair[1]
@@ -296,7 +290,7 @@ class _Builder:
                     branch.append((pair, outer))
                     ends.append((outer, branch))
         if waiting:
-            raise Refused("a carriage slides on two others", "selection", "Choose bed and carriages by hand.")
+            raise Refused("proposal-slides-on-two", "selection")
         return branches
 
     def _sides(self, branches):

@@ -167,9 +167,9 @@ class Place:
         parts = [self.name] + ([f"line {line}"] if line else []) + ([path_text(self.path)] if self.path else [])
         return ", ".join(parts)
 
-    def refuse(self, code: str, do: str | None = None, /, **fields) -> Refused:
+    def refuse(self, code: str, /, **fields) -> Refused:
         """The refusal to raise, `raise place.refuse(code, **fields)`: its place is this one's."""
-        return Refused(code, self.where, do, **fields)
+        return Refused(code, self.where, **fields)
 
     def __contains__(self, key) -> bool:
         return key in self.value

@@ -76,14 +76,11 @@ class Refused(ValueError):
     object and property ("" where unknown).  fields : the values of the template.
     """
 
-    def __init__(self, code: str, where: str = "", do: str | None = None, /, **fields):
+    def __init__(self, code: str, where: str = "", /, **fields):
         self.code, self.where, self.fields = code, where, fields
-        self._do = do  # of a refusal that is a sentence instead of a code
         super().__init__(self.message)
 
     def _parts(self, language: str) -> tuple[str, str]:
-        if self._do is not None or not tables.known(self.code):
-            return self.code, self._do or ""
         found = tables.template(self.code, language)
         what, do = (found, "") if isinstance(found, str) else found
         return tables.fill(what, self.fields, language), tables.fill(do, self.fields, language)
@@ -115,11 +112,11 @@ class Refused(ValueError):
     def at(self, where: str) -> Refused:
         """The same refusal with an outer place put before its own (a file's path, say)."""
         inner = f"{where}: {self.where}" if self.where else where
-        return Refused(self.code, inner, self._do, **self.fields)
+        return Refused(self.code, inner, **self.fields)
 
     def __reduce__(self):
-        return _raised, (self.code, self.where, self._do, self.fields)
+        return _raised, (self.code, self.where, self.fields)
 
 
-def _raised(code, where, do, fields) -> Refused:
-    return Refused(code, where, do, **fields)
+def _raised(code, where, fields) -> Refused:
+    return Refused(code, where, **fields)

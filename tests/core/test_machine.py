@@ -93,8 +93,8 @@ def test_machine_that_can_be_is_accepted():
 
 
 def test_an_outer_place_is_put_before_the_inner_one():
-    refusal = Refused("it is wrong", "axis X", "Correct it.").at("machine.json")
-    assert refusal.message == "machine.json: axis X: it is wrong. Correct it."
+    refusal = Refused("sigma-not-positive", "axis X", sigma=-1).at("machine.json")
+    assert refusal.message == "machine.json: axis X: sigma -1 is not positive. Give a number above zero."
 
 
 # -- names --------------------------------------------------------------

@@ -51,7 +51,7 @@ def test_a_fault_is_found(folder, monkeypatch):
         raise KeyError("x")
 
     def wordy(path):
-        raise Refused("word " * 100)
+        raise Refused("readings-cell-empty", "word " * 100)
 
     for reader in (broken, wordy):
         monkeypatch.setitem(readers.READERS, "isg", reader)

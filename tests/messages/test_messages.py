@@ -46,6 +46,34 @@ def test_every_code_in_the_source_has_a_sentence():
     assert not missing
 
 
+def sentences_in(text: str):
+    """(what, line) of every refusal or message that a source makes of a sentence instead of a code."""
+    for node in ast.walk(ast.parse(text)):
+        if (
+            isinstance(node, ast.Call)
+            and node.args
+            and getattr(node.func, "id", getattr(node.func, "attr", "")) in MAKERS
+        ):
+            first = node.args[0]
+            parts = first.values if isinstance(first, ast.JoinedStr) else [first]
+            if any(isinstance(p, ast.Constant) and isinstance(p.value, str) and " " in p.value for p in parts):
+                yield ast.unparse(first), node.lineno
+
+
+def test_a_sentence_is_found_in_a_source():
+    assert len(list(sentences_in("raise Refused(f'{x} is wrong', where)\nraise Refused('it is wrong')"))) == 2
+    assert not list(sentences_in("raise Refused('machine-axes-parallel')\nraise Refused(found.code)"))
+
+
+def test_nothing_is_refused_by_a_sentence():
+    found = [
+        f"{path.relative_to(PACKAGE)}:{line} {what}"
+        for path in sorted(PACKAGE.rglob("*.py"))
+        for what, line in sentences_in(path.read_text(encoding="utf-8"))
+    ]
+    assert not found
+
+
 @pytest.mark.parametrize("language", [x for x in LANGUAGES if x != "en"])
 def test_every_sentence_is_translated_with_the_same_fields(language):
     english, other = tables.table("en"), tables.table(language)
