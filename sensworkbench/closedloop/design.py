@@ -11,10 +11,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core.errors import COMPONENTS, component
+from ..core.errors import AXES, COMPONENTS, component
 from ..core.machine import Machine
 from ..core.shapes import legendre
 from ..core.synthesis import omega
+from ..messages import Refused
 from .readings import Readings
 
 ALL_SYMBOLS = tuple(COMPONENTS)
@@ -132,12 +133,19 @@ class Design:
     lever: np.ndarray
 
 
+def check_three_axes(machine: Machine) -> None:
+    """Refuse a machine whose axes are not X, Y and Z, linear: readings are fitted and traced on such machines only."""
+    if machine.names != AXES or not all(j.slides for j in machine.joints):
+        raise Refused("readings-of-three-axes", machine.name, axes=list(machine.names))
+
+
 def design(machine: Machine, readings: Readings) -> Design:
     """The declared model of these readings: declared errors, alignment of the set-up, an offset per further tool.
 
     Each further run has an offset of its own, or with `alignment` "per run" its own shifts and tilts, or with "once"
-    none.
+    none.  Refuses a machine of other axes than three linear ones.
     """
+    check_three_axes(machine)
     lever = lever_columns(machine, readings)
     terms = declared_terms(machine)
     at = {s: i for i, s in enumerate(ALL_SYMBOLS)}

@@ -18,6 +18,7 @@ from ..messages import Refused
 from .acceptance import review
 from .checks import contradicted
 from .declared import aligned, without_known_effects
+from .design import check_three_axes
 from .fit import Fit
 from .problem import Problem, State
 from .readings import Readings
@@ -48,6 +49,7 @@ def trace(
     tell = progress or (lambda fraction, words: True)
     if floor is not None:
         settings = replace(settings, floor=floor)
+    check_three_axes(machine)
     if readings.rows < settings.least_readings:
         raise Refused("trace-few-readings", "readings", count=readings.rows, least=settings.least_readings)
     readings = aligned(machine, without_known_effects(machine, readings), settings)

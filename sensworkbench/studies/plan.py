@@ -6,6 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..closedloop import plan_advice
+from ..closedloop.design import check_three_axes
 from ..closedloop.plan import Plan
 from ..closedloop.readings import Readings
 from ..core.machine import Machine
@@ -47,6 +48,7 @@ def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest
     """
     if readings is None and request.suggest is None:
         raise Refused("plan-missing", "plan")
+    check_three_axes(machine)
     plan = None if readings is None else Plan(machine, within_travel(machine, readings))
     suggested = None
     if request.suggest is not None:
