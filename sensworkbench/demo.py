@@ -24,6 +24,7 @@ from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import exact_error
+from sensworkbench.core.units import um
 from sensworkbench.formats import machine_json, readings_csv, study_files
 from sensworkbench.formats.file_sets import staged
 from sensworkbench.studies.predict import predict_study
@@ -204,7 +205,7 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
     with staged(folder) as work:
         names = ["x_mm", "y_mm", "z_mm", "t_s", "temp_column_C", "temp_ambient_C"]
         q, t, column, ambient = conditions(700, 0.0)
-        error = 1e3 * simulate(machine, errors, squareness, q, column) + NOISE_UM * rng.normal(size=q.shape)
+        error = um(simulate(machine, errors, squareness, q, column)) + NOISE_UM * rng.normal(size=q.shape)
         rows = np.column_stack([q, t, 20 + column, 20 + ambient])
         answers = ["sign: error", "frame: tool_relative_to_workpiece"]
         _write_table(
@@ -220,7 +221,7 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         readings_csv.save_predicted(*files, positions, found.error, found.extrapolated)
         truth = simulate(machine, errors, squareness, new[0], new[2])
     held = {k: v.held_out["rms_um"] for k, v in outcome.error.items()}
-    off = float(np.sqrt(((1e3 * (found.error - truth)) ** 2).sum(axis=1).mean()))
+    off = float(np.sqrt((um(found.error - truth) ** 2).sum(axis=1).mean()))
     named = [f"found: {e.effect.component} driven by {e.effect.driver}: {e.effect.name}" for e in outcome.effects]
     return [
         f"simulated: EAZ driven by temp_column, {BEND_URAD_PER_K:g} urad/K; verdict: {outcome.verdict}",

@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..core.units import um
 from ..messages import Message
 from . import evidence
 from .bank import log_tail
@@ -129,7 +130,7 @@ def _refusal(state: State, step: Step, others, full: Fit) -> Message | None:
     used = int(np.count_nonzero(full.weight))
     table = p.readings.columns
     reason = stand_in(c, others, table, p.names) or beyond(rows, c, table, p.names, used, settings=s)
-    size = 1e3 * p.amplitude(c)
+    size = um(p.amplitude(c))
     if reason is None and size > s.largest_um:
         return Message("refused-size", size=size)
     return reason

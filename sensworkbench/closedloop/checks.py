@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..core.units import mm, um
 from ..messages import Message
 from . import scores
 from .design import run_labels
@@ -70,11 +71,11 @@ def noise_summary(fitted: Fit, readings: Readings, residual_um, settings: TraceS
             remarks.append(Message("noise-less-than-stated", direction=name, ratio=ratio, dof=dof))
     remarks += [Message("noise-remembers", direction=k, correlation=v) for k, v in modelled.items() if v > 0]
     residual = float(np.sqrt(np.mean([v**2 for v in fitted.noise.values()])))
-    if pure is not None and residual > 1.3 * pure * 1e-3:
-        remarks.append(Message("noise-more-than-repeats", residual=residual * 1e3, pure=pure))
+    if pure is not None and residual > 1.3 * mm(pure):
+        remarks.append(Message("noise-more-than-repeats", residual=um(residual), pure=pure))
     return NoiseSummary(
         stated=float(np.sqrt((stated**2).mean())) if len(stated) else None,
-        pure=None if pure is None else pure * 1e-3,
+        pure=None if pure is None else mm(pure),
         residual=residual,
         direction={NAMES[k]: v for k, v in fitted.noise.items()},
         memory=memory,

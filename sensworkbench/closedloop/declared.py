@@ -13,6 +13,7 @@ import numpy as np
 
 from ..core.machine import Machine
 from ..core.synthesis import omega
+from ..core.units import um
 from ..messages import Refused
 from . import scores
 from .design import Term, design, run_labels
@@ -95,8 +96,8 @@ def fit_summary(found: Fit, readings: Readings) -> dict:
         "rank": int(found.basis.rank),
         "condition": float(found.basis.condition),
         "null_space": null_space(found, readings),
-        "rms": scores.metrics(found.residual * 1e3, readings, used),
-        "noise_um": {"xyz*"[kind]: sigma * 1e3 for kind, sigma in found.noise.items()},
+        "rms": scores.metrics(um(found.residual), readings, used),
+        "noise_um": {"xyz*"[kind]: um(sigma) for kind, sigma in found.noise.items()},
         "outliers": [{"line": int(lines[p]), "position_mm": readings.q[p].tolist()} for p in points],
         "parameters": parameters,
     }

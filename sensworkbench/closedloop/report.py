@@ -15,6 +15,7 @@ from ..core.errors import component
 from ..core.machine import Machine
 from ..core.parameters import Levels
 from ..core.synthesis import omega
+from ..core.units import um
 from ..core.workspace import Cancelled, sensitivity
 from ..messages import Message, Refused
 from . import checks, scores
@@ -199,8 +200,8 @@ class _Final:
         y = readings.value
         residuals, table = {}, {}
         for name, own in zip(STAGES, columns):
-            inside = _residual(x[:, own], y, full) * 1e3
-            outside = scores.held_out_rows(own, full, state.row_block, y, x) * 1e3
+            inside = um(_residual(x[:, own], y, full))
+            outside = um(scores.held_out_rows(own, full, state.row_block, y, x))
             residuals[name], residuals[name + "_held_out"] = inside, outside
             table[name] = StageError(
                 scores.metrics(inside, readings, used),

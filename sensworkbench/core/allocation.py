@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..messages import Refused
+from .units import um
 
 GAP = 1e-7  # relative distance of cost and bound at which the convex problem is solved
 ROUNDS = 60  # of adding the worst position
@@ -126,7 +127,7 @@ def allocate(problem: Problem, progress: Callable[[float], bool] | None = None) 
         worst = int(np.argmax(missing))
         raise Refused(
             "allocation-out-of-reach",
-            best=float(np.sqrt(problem.error(tightest)[worst]) * 1e3), limit=float(np.sqrt(problem.limit[worst]) * 1e3),
+            best=float(um(np.sqrt(problem.error(tightest)[worst]))), limit=float(um(np.sqrt(problem.limit[worst]))),
         )  # fmt: skip
     choices = [tuple(range(len(c.grades))) if isinstance(c, GradeCost) else None for c in problem.costs]
     if all(c is None for c in choices):

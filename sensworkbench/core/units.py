@@ -24,6 +24,16 @@ ANGLE |= {"um/m": 1e-6, "µm/m": 1e-6, "μm/m": 1e-6, "mm/m": 1e-3}
 _NUMBER = re.compile(r"\s*([-+]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$")
 
 
+def um(length):
+    """A length in mm as a number of um."""
+    return length * 1e3
+
+
+def mm(length):
+    """A length in um as a number of mm."""
+    return length * 1e-3
+
+
 def factor(unit: str, *, angular: bool, where: str = "") -> float:
     """Multiply a number in `unit` by this to get mm (or rad when `angular`)."""
     table = ANGLE if angular else LENGTH

@@ -10,6 +10,7 @@ import numpy as np
 
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.units import um
 
 from . import column_names, csv_table
 from .column_names import ERROR
@@ -41,7 +42,7 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
         if isinstance(value, (int, float)) and column_names.parse(key).base not in results:
             header.insert(len(kept), key)
             columns.append([f"{value:g}".replace(".", ",") if decimal_comma else f"{value:g}"] * table.rows)
-    columns += [[number(v) for v in error[order, i] * 1e3] for i in range(3)]
+    columns += [[number(v) for v in um(error[order, i])] for i in range(3)]
     if extrapolated is not None:
         header.append("extrapolated")
         columns.append([str(int(v)) for v in np.asarray(extrapolated, dtype=bool)[order]])

@@ -19,6 +19,7 @@ from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.sobol import indices
 from ..core.synthesis import omega
+from ..core.units import mm, um
 
 Progress = Callable[[float], bool]
 TARGETS = ("mean_square", "rms", "worst")
@@ -44,7 +45,7 @@ class Target:
     @property
     def mean_square(self) -> float:
         """The limit of the mean square, mm²."""
-        return (self.value if self.kind == "mean_square" else self.value**2) * 1e-6
+        return mm(mm(self.value if self.kind == "mean_square" else self.value**2))
 
     def scaled(self, ratio: float) -> Target:
         """The target with its rms times `ratio`."""
@@ -115,7 +116,7 @@ def problem_of(machine: Machine, target: Target, costs: Mapping[str, Cost]) -> t
     load = squared[:, chosen] * [_per_square(table.laws[i]) for i in chosen]
     limit = np.full(len(load), target.mean_square)
     if np.any(fixed >= limit):
-        raise Refused("target-below-fixed", "--target", fixed=float(np.sqrt(fixed.max()) * 1e3))
+        raise Refused("target-below-fixed", "--target", fixed=float(um(np.sqrt(fixed.max()))))
     return Problem(load, fixed, limit, tuple(costs[s] for s in symbols)), symbols
 
 
@@ -166,7 +167,7 @@ def _rms_um(machine: Machine, target: Target) -> float:
     q, rows = _places(machine, target)
     table = workspace.error_table(machine)
     found = indices(table.mixed(omega(machine, table.symbols, q)), moments(table.laws))
-    return float(np.sqrt((rows @ found.mean).max()) * 1e3)
+    return float(um(np.sqrt((rows @ found.mean).max())))
 
 
 def _front(problem: Problem, tell: Progress) -> tuple[FrontPoint, ...]:
@@ -179,7 +180,7 @@ def _front(problem: Problem, tell: Progress) -> tuple[FrontPoint, ...]:
     out = []
     for i, rms in enumerate(np.geomspace(low * 1.001, max(high, low * 1.002), FRONT if curves else FRONT // 5)):
         found = allocate(replace(problem, limit=np.full(len(problem.limit), rms**2)))
-        out.append(FrontPoint(float(rms * 1e3), found.cost, found.bound))
+        out.append(FrontPoint(float(um(rms)), found.cost, found.bound))
         if not tell((i + 1) / FRONT):
             raise workspace.Cancelled("cancelled")
     return tuple(out)

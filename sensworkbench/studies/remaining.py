@@ -16,6 +16,7 @@ from ..closedloop.predict import predict
 from ..closedloop.readings import Readings
 from ..core.fitted import FittedModel
 from ..core.machine import Machine
+from ..core.units import um
 from .axis_tables import correction, readings_at
 from .coverage import Holder, after_compensation
 
@@ -66,6 +67,6 @@ def remaining(machine: Machine, holder: Holder, positions: Readings | None = Non
         after = before - correction(machine, tables, positions.q, direction)
     figures = []
     for error in (before, after):
-        length = np.linalg.norm(error - error.mean(axis=0), axis=1) * 1e3
+        length = um(np.linalg.norm(error - error.mean(axis=0), axis=1))
         figures += [float(np.sqrt((length**2).mean())), float(length.max())]
     return Remaining(*figures, left_out)

@@ -19,6 +19,7 @@ import numpy as np
 from ..core import workspace
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..core.units import um
 
 DESIGNS = ("full", "lhs", "sobol", "list")
 OUTPUTS = ("mean_square", "rms", "worst_rms", "variance")
@@ -140,9 +141,9 @@ def judged(machine: Machine, outputs: Sequence[str]) -> list[float]:
     for name in outputs:
         kind, _, label = name.partition(".")
         if kind == "mean_square":
-            out.append(found.mean_square * 1e6)
+            out.append(um(um(found.mean_square)))
         elif kind == "rms":
-            out.append(math.sqrt(found.mean_square) * 1e3)
+            out.append(um(math.sqrt(found.mean_square)))
         elif kind == "variance":
             out.append(found.variance * 1e12)
         elif kind == "worst_rms":
@@ -166,7 +167,7 @@ def _worst(machine: Machine) -> float:
     table = workspace.error_table(machine)
     q = workspace.grid(machine, _WORST_GRID).q
     found = indices(table.mixed(omega(machine, table.symbols, q)), moments(table.laws))
-    return math.sqrt(float(found.mean.max())) * 1e3
+    return um(math.sqrt(float(found.mean.max())))
 
 
 def judge_chunk(read: Reader, data: Mapping, paths, outputs, rows) -> list[tuple[list[float] | None, str]]:

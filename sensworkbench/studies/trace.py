@@ -16,6 +16,7 @@ from ..core.errors import component
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.synthesis import omega
+from ..core.units import mm
 from .places import within_travel
 
 FEWEST, MOST = 199, 9999  # permutations
@@ -58,7 +59,7 @@ def component_values(effect: Effect, outcome: TraceEvidence | TraceResult) -> tu
     matrix = omega(outcome.machine, [effect.component], readings.q, readings.tool_offset)[:, :, 0]
     along = np.einsum("ra,ra->r", matrix[readings.point], readings.sense) * outcome.residuals["used"]
     size = np.bincount(readings.point, weights=along**2, minlength=readings.points)
-    rest = along * outcome.residuals["augmented"] * 1e-3
+    rest = mm(along * outcome.residuals["augmented"])
     with np.errstate(divide="ignore", invalid="ignore"):
         rest = np.bincount(readings.point, weights=rest, minlength=readings.points) / size
     keep = size > size.max() * SHORT_ARM**2
