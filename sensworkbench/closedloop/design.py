@@ -15,7 +15,7 @@ from ..core.errors import AXES, COMPONENTS, component
 from ..core.machine import Machine
 from ..core.shapes import legendre
 from ..core.synthesis import omega
-from ..messages import Refused
+from ..messages import Message, Refused
 from .readings import Readings
 
 ALL_SYMBOLS = tuple(COMPONENTS)
@@ -39,13 +39,18 @@ class Term:
 
     @property
     def label(self) -> str:
-        """Its name for a reader."""
+        """Its name for a reader, in English."""
+        return str(self.title)
+
+    @property
+    def title(self) -> str | Message:
+        """Its name in any language; a symbol is the same in all."""
         if self.group == "declared" and self.symbol not in ("C0Y", "B0Z", "A0Z"):
-            return f"{self.symbol} (order {self.order})"
+            return Message("term-order", symbol=self.symbol, order=self.order)
         if self.group == "run":
-            return f"{'tilt' if self.angular else 'offset'} of run {self.symbol}"
+            return Message("term-run-tilt" if self.angular else "term-run-offset", run=self.symbol)
         if self.group == "tool":
-            return f"offset of tool {self.symbol}"
+            return Message("term-tool-offset", tool=self.symbol)
         return self.symbol
 
 

@@ -316,13 +316,13 @@ def null_space(fit: Fit, readings: Readings) -> list[Message]:
     found = []
     for vector in fit.null_space[: len(terms)].T:
         strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > 0.02 * np.abs(vector).max()]
-        names = list(dict.fromkeys(terms[i].label for i in strong))
+        names = list(dict.fromkeys(terms[i].title for i in strong))
         if names:
             found.append(_undetermined(names, readings))
     return sorted(dict.fromkeys(found), key=str)
 
 
-def _undetermined(names: list[str], readings: Readings) -> Message:
+def _undetermined(names: list[str | Message], readings: Readings) -> Message:
     """One set of parameters that no reading separates.
 
     A second tool helps where whole vectors were read with one tool; where some directions of space were not sensed at

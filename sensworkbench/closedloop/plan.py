@@ -393,7 +393,8 @@ def _declared(regressor: Regressor, group) -> bool:
 def pairs_in_words(pairs) -> list[dict]:
     """Return confused pairs, those of the same two drivers (or of one driver on the same two components) as one entry.
 
-    Each: {"drivers", "shapes", "components", "cosine" (the smallest |cosine|), "count"}; the simplest first.
+    Each: {"drivers", "shapes", "components", "effects" (messages), "cosine" (the smallest |cosine|), "count"}; the
+    simplest first.
     """
     kept: dict[tuple, dict] = {}
     for a, b, cosine in pairs:
@@ -410,7 +411,7 @@ def pairs_in_words(pairs) -> list[dict]:
             ("drivers", (str(a.driver), str(b.driver))),
             ("shapes", (a.shape.name, b.shape.name)),
             ("components", (words,)),
-            ("effects", (str(a.entry.name), str(b.entry.name))),
+            ("effects", (a.entry.name, b.entry.name)),
         ):
             entry[name] += [v for v in dict.fromkeys(values) if v not in entry[name]]
     return list(kept.values())

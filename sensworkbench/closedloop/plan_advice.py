@@ -14,12 +14,14 @@ import numpy as np
 
 from ..core.driver import DIRECTIONS, POSITIONS
 from ..core.machine import Machine
+from ..messages import Message
 from .design import tool_labels
 from .plan import LEADS, Plan, as_readings
 from .readings import Readings
 
 SECONDS = 10.0  # from one reading to the next, where no time is planned
 SIDE_MM = 80.0  # the probe to the side
+LOAD_KG = 200.0  # on the table, where no load is planned
 WORTH = 0.8  # a number that falls to less than this share is worth the advice
 DRAWS = 8
 REPEATED, VISITS = 6, 4  # places visited again in a suggested plan, and how often each is visited
@@ -30,12 +32,12 @@ CLEAR_MM = 0.01  # places of a file are written to this digit
 class Advice:
     """do : what to change.  improves : the number.  before, after : its values (None: not at all), in `unit`."""
 
-    do: str
-    improves: str
+    do: Message
+    improves: Message
     before: float | None
     after: float | None
     unit: str
-    why: str = ""
+    why: Message | None = None
 
 
 def advise(plan: Plan, seed: int = 0) -> list[Advice]:
@@ -68,76 +70,74 @@ def _tried(plan: Plan, rng) -> Iterator[Advice]:
         tools = again(with_tools(machine, readings, rng))
         length = tool_length(machine)
         yield Advice(
-            f"measure a quarter of the places with a tool {length:g} mm longer, and a quarter with the probe "
-            f"{SIDE_MM:g} mm to the side",
-            "combinations of declared parameters that cannot be told apart",
+            Message("plan-do-tools", length=length, side=SIDE_MM),
+            Message("plan-improves-undetermined"),
             plan.parameters - plan.rank,
             tools.parameters - tools.rank,
             "count",
-            "with one tool the tilt of a carriage and its straightness look the same, and errors at another tool "
-            "length cannot be predicted",
+            Message("plan-why-tools"),
         )
     reversal = plan.smallest_um("reversal")
     mixed = again(with_directions(readings, rng))
     yield Advice(
-        "approach the places from both sides, mixed within each run, and write dir_x, dir_y, dir_z down",
-        "smallest reversal error that is found",
+        Message("plan-do-directions"),
+        Message("plan-improves-reversal"),
         reversal,
         mixed.smallest_um("reversal"),
         "um",
-        "one direction, or one per run, is the same as an offset",
+        Message("plan-why-directions"),
     )
     timed = "t" in plan.names
     base = plan if timed else again(with_time(readings))
     if not timed:
         yield Advice(
-            "write down the time of every reading (t_s)",
-            "smallest drift that is found",
+            Message("plan-do-time"),
+            Message("plan-improves-drift"),
             plan.smallest_um("drift", "spindle-growth"),
             base.smallest_um("drift", "spindle-growth"),
             "um",
-            "without it drift is noise",
+            Message("plan-why-time"),
         )
     shuffled = again(in_random_order(base.readings, rng))
     yield Advice(
-        "visit the places in random order" + ("" if timed else ", and write down the time of every reading (t_s)"),
-        "smallest drift that is found",
+        Message("plan-do-random-order") if timed else Message("plan-do-random-order-time"),
+        Message("plan-improves-drift"),
         base.smallest_um("drift", "spindle-growth"),
         shuffled.smallest_um("drift", "spindle-growth"),
         "um",
-        "places in a fixed order make time the same as position",
+        Message("plan-why-random-order"),
     )
     if plan.aliased:
         irregular = again(with_irregular_pitch(machine, readings, rng))
         yield Advice(
-            "move every place by a random part of the pitch: no regular grid",
-            "usual screw leads whose cyclic error looks like another period or like a constant",
+            Message("plan-do-irregular"),
+            Message("plan-improves-aliases"),
             len(plan.aliased),
             len(irregular.aliased),
             "count",
-            "on a regular grid a period cannot be told from its aliases",
+            Message("plan-why-irregular"),
         )
     if not any(n.startswith("temp_") for n in plan.names):
         warm = again(with_temperatures(base.readings))
         yield Advice(
-            "log at least two temperatures that go their own ways (temp_scale_C, temp_column_C)",
-            "smallest thermal expansion or bending that is found",
+            Message("plan-do-temperatures"),
+            Message("plan-improves-thermal"),
             plan.smallest_um("thermal-scale", "thermal-bend"),
             warm.smallest_um("thermal-scale", "thermal-bend"),
             "um",
-            "judged with two temperatures of a usual warm-up",
+            Message("plan-why-temperatures"),
         )
     yield from _conditions(plan, again, rng)
     _, freedom = plan.repeats
     repeated = again(with_repeats(readings, rng))
     if freedom < repeated.repeats[1]:
         yield Advice(
-            f"visit {REPEATED} of the places {VISITS} times, spread over the session",
-            "degrees of freedom of the pure error",
+            Message("plan-do-repeats", places=REPEATED, visits=VISITS),
+            Message("plan-improves-repeats"),
             freedom,
             repeated.repeats[1],
             "count_up",
-            "repeats tell the noise from what the model lacks, without any model",
+            Message("plan-why-repeats"),
         )
 
 
@@ -148,22 +148,22 @@ def _conditions(plan: Plan, again: Callable[[Readings], Plan], rng) -> Iterator[
         feed = rng.choice([500.0, 2000.0, 6000.0], count)
         changed = again(_with(readings if "dir_x" in plan.names else with_directions(readings, rng), feed=feed))
         yield Advice(
-            "use three feeds (feed_mm_min), mixed within each run",
-            "smallest error with feed or following error that is found",
+            Message("plan-do-feeds"),
+            Message("plan-improves-feed"),
             plan.smallest_um("feed", "following"),
             changed.smallest_um("feed", "following"),
             "um",
         )
     if not any(n.startswith("load_") for n in plan.names):
-        load = np.where(np.arange(count) < count // 2, 0.0, 200.0)
+        load = np.where(np.arange(count) < count // 2, 0.0, LOAD_KG)
         changed = again(_with(in_random_order(readings, rng), load_table=load))
         yield Advice(
-            "measure half of the places, drawn at random, with a load on the table (load_table_kg)",
-            "smallest deflection under load that is found",
+            Message("plan-do-load"),
+            Message("plan-improves-load"),
             plan.smallest_um("mass"),
             changed.smallest_um("mass"),
             "um",
-            "judged with 200 kg",
+            Message("plan-why-load", mass=LOAD_KG),
         )
 
 

@@ -26,6 +26,7 @@ from . import column_names, csv_table, readings_csv
 from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
 from .files import neutral
 from .plan_html import number_words
+from .trace_json import said, said_all
 
 _UNITS = {"K": "C", "mm/min": "mm_min"}
 
@@ -74,9 +75,9 @@ def _normals(table, bases, positions) -> np.ndarray:
 
 # -- out ---------------------------------------------------------------------------------------------------------------
 def to_dict(checked: PlanResult) -> dict:
-    """The data of plan.json."""
+    """The data of plan.json: a sentence in English, and its code and fields beside it as `<key>_message(s)`."""
     plan = checked.shown
-    pairs = planning.pairs_in_words(plan.confused())
+    pairs = [{**p, **said_all("effects", p["effects"])} for p in planning.pairs_in_words(plan.confused())]
     return {
         "format": "sens-plan",
         "version": 1,
@@ -95,7 +96,7 @@ def to_dict(checked: PlanResult) -> dict:
         "identifiability": {
             "columns": plan.parameters,
             "rank": plan.rank,
-            "null_space": [str(m) for m in plan.null_space],
+            **said_all("null_space", plan.null_space),
             "no_reading_shows": planning.unseen(plan),
             "move_alike": planning.bodies_alike(plan),
         },
@@ -107,10 +108,10 @@ def to_dict(checked: PlanResult) -> dict:
             "chi_square": plan.threshold,
         },
         "effects": [_entry(entry, found) for entry, found in plan.physical()],
-        "not_testable": [{"effect": str(e), "needs": needs} for e, needs in plan.not_testable],
+        "not_testable": [{**said("effect", e), "needs": needs} for e, needs in plan.not_testable],
         "hidden": [
             {
-                "name": str(c.entry.name),
+                **said("name", c.entry.name),
                 "component": c.symbol,
                 "driver": str(c.driver),
                 "shape": c.shape.name,
@@ -131,28 +132,32 @@ def to_dict(checked: PlanResult) -> dict:
         ],
         "advice": [
             {
-                "do": a.do,
-                "improves": a.improves,
+                **said("do", a.do),
+                **said("improves", a.improves),
                 "before": a.before,
                 "after": a.after,
                 "unit": "um" if a.unit == "um" else "",
-                "why": a.why,
+                **({"why": ""} if a.why is None else said("why", a.why)),
             }
             for a in checked.advice
         ],
         "findings": [
-            {"severity": f.severity, "code": f.code, "message": str(f.message), "line": f.line}
+            {"severity": f.severity, "code": f.code, **_remark(f.message), "line": f.line}
             for f in plan.readings.findings
         ],
     }
+
+
+def _remark(message: Message | str) -> dict:
+    return said("message", message) if isinstance(message, Message) else {"message": message}
 
 
 def _entry(entry, found: list[PlannedTerm]) -> dict:
     best = planning.plain(found)
     plain = next((c for c in best if not c.hidden), best[0] if best else None)
     out = {
-        "name": str(entry.name),
-        "usual_size": str(entry.size),
+        **said("name", entry.name),
+        **said("usual_size", entry.size),
         "candidates": len(found),
         "visible": sum(not c.hidden for c in found),
         "plainest": None,

@@ -105,12 +105,15 @@ def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=No
     return write_set(folder, "trace", files, None if extra is None else lambda work: extra(work, machine))
 
 
-def write_plan(folder, study: PlanResult) -> list[Path]:
-    """Write plan.json, report.html, candidates.csv and, where one was asked for, the suggested plan."""
+def write_plan(folder, study: PlanResult, language: str = "en") -> list[Path]:
+    """Write plan.json, report.html, candidates.csv and, where one was asked for, the suggested plan.
+
+    language : of the report.
+    """
     data = plan_json.to_dict(study)
     files = {
         "plan.json": json_text.dumps(data),
-        "report.html": plan_html.plan_report(data),
+        "report.html": plan_html.plan_report(data, language),
         "candidates.csv": plan_json.candidates_csv(study.shown),
     }
     if study.suggested is not None:

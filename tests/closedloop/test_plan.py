@@ -204,16 +204,17 @@ def test_repeats_are_counted_with_their_tool():
 
 def test_advice_states_the_number_that_the_changed_plan_has():
     plan = planned(grid(6))
-    advice = {a.do.split()[0]: a for a in plan_advice.advise(plan)}
-    assert {"measure", "approach", "move", "visit", "log"} <= set(advice)
-    tools = next(a for a in plan_advice.advise(plan) if "mm longer" in a.do)
+    advice = {a.do.code.removeprefix("plan-do-"): a for a in plan_advice.advise(plan)}
+    assert {"tools", "directions", "irregular", "random-order-time", "temperatures"} <= set(advice)
+    tools = advice["tools"]
+    assert tools.do.fields == {"length": plan_advice.tool_length(MACHINE), "side": plan_advice.SIDE_MM}
     changed = Plan(MACHINE, plan_advice.with_tools(MACHINE, plan.readings, np.random.default_rng(5)))
     assert (tools.before, tools.after) == (len(plan.null_space), len(changed.null_space))
     assert tools.before > tools.after
     mixed = Plan(MACHINE, plan_advice.with_directions(plan.readings, np.random.default_rng(6)))
-    assert advice["approach"].before is None
-    assert advice["approach"].after == pytest.approx(mixed.smallest_um("reversal"), rel=0.1)
-    assert (advice["move"].before, advice["move"].after) == (len(plan.aliased), 0)
+    assert advice["directions"].before is None
+    assert advice["directions"].after == pytest.approx(mixed.smallest_um("reversal"), rel=0.1)
+    assert (advice["irregular"].before, advice["irregular"].after) == (len(plan.aliased), 0)
 
 
 def test_random_order_moves_places_and_keeps_the_conditions_of_each_moment():
@@ -241,8 +242,9 @@ def test_a_suggested_plan_has_what_the_advice_asks_for_and_sees_more_than_a_grid
     before, after = given.numbers(), suggested.numbers()
     assert after["physical_effects_testable"] > before["physical_effects_testable"]
     assert after["prediction_longer_tool_um"] < 2 and before["prediction_longer_tool_um"] is None
-    asked = " ".join(a.do for a in plan_advice.advise(suggested))
-    assert not any(words in asked for words in ("mm longer", "both sides", "random order", "pitch", "t_s"))
+    before, after = ({a.do.code.removeprefix("plan-do-") for a in plan_advice.advise(p)} for p in (given, suggested))
+    done = {"tools", "directions", "time", "random-order", "random-order-time", "irregular"}
+    assert before & done and not after & done
 
 
 def test_the_same_seed_suggests_the_same_plan():

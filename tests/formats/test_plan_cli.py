@@ -14,7 +14,7 @@ import pytest
 
 from sensworkbench import cli
 from sensworkbench.closedloop.plan import Plan
-from sensworkbench.formats import machine_json, plan_json
+from sensworkbench.formats import machine_json, plan_json, trace_json
 
 from .support import ROOT, command, golden, write
 
@@ -140,6 +140,46 @@ def test_the_report_is_one_well_formed_page_that_says_what_the_data_say(place):
     for advice in data["advice"]:
         assert advice["improves"] in words
     assert "http" not in text
+
+
+SENTENCE = re.compile(r"[a-z]{3,} [a-z]{3,}")
+
+
+def leaves(page: str, *tags: str) -> list[str]:
+    """The text of every element of these kinds, as it is read."""
+    root = ElementTree.fromstring(page.removeprefix("<!DOCTYPE html>\n"))
+    return [" ".join("".join(e.itertext()).split()) for tag in tags for e in root.iter(tag)]
+
+
+def test_the_report_has_no_english_left_in_another_language(place):
+    pages, data = {}, {}
+    for language in ("en", "de", "ko"):
+        out = place / language
+        words = ("m.json", "grid.csv", "--out", out, "--suggest", "125", "--language", language)
+        assert run(place, "plan", *words) == 0
+        pages[language], data[language] = (out / "report.html").read_text(encoding="utf-8"), checked(out)
+        assert f'<html lang="{language}">' in pages[language]
+    assert data["en"] == data["de"] == data["ko"]
+    headings = {k: [t for t in leaves(p, "h1", "h2", "h3", "th") if t] for k, p in pages.items()}
+    assert len(headings["en"]) > 30 and len({len(h) for h in headings.values()}) == 1
+    said = {k: leaves(p, "h1", "p", "li", "td", "span", "b", "figcaption", "footer") for k, p in pages.items()}
+    for one, other in (("en", "de"), ("en", "ko"), ("de", "ko")):
+        assert not set(headings[one]) & set(headings[other])
+        assert not [t for t in set(said[one]) & set(said[other]) if SENTENCE.search(t)]
+    assert any(SENTENCE.search(t) for t in said["en"])
+
+
+def test_a_sentence_of_the_data_has_its_code_and_fields_beside_it(place):
+    assert run(place, "plan", "m.json", "grid.csv", "--out", place / "out") == 0
+    data = checked(place / "out")
+    entries = [(a, k) for a in data["advice"] for k in ("do", "improves", "why") if a[k]]
+    entries += [(t, "effect") for t in data["not_testable"]] + [(f, "message") for f in data["findings"]]
+    entries += [(e, k) for e in data["effects"] for k in ("name", "usual_size")] + [(h, "name") for h in data["hidden"]]
+    assert len(entries) > 60
+    for entry, key in entries:
+        assert str(trace_json.message(entry[f"{key}_message"])) == entry[key]
+    for entry, key in [(data["identifiability"], "null_space"), *((p, "effects") for p in data["confused"])]:
+        assert [str(trace_json.message(m)) for m in entry[f"{key}_messages"]] == entry[key] != []
 
 
 def test_every_candidate_stands_in_the_table(place):

@@ -28,6 +28,7 @@ def add(parser) -> None:
     text = "of the suggested plan (default 0)"
     parser.add_argument("--seed", metavar="N", type=common.whole, default=0, help=text)
     common.add_mapping(parser)
+    common.add_language(parser)
 
 
 def run(arguments) -> int:
@@ -53,7 +54,7 @@ def run(arguments) -> int:
         if refused.code == "plan-few-readings" and arguments.positions is not None:
             raise refused.at(arguments.positions) from None
         raise
-    paths = study_files.write_plan(arguments.out, study)
+    paths = study_files.write_plan(arguments.out, study, arguments.language)
     for line in plan_json.summary(plan_json.to_dict(study)):
         common.say(line)
     return common.say_paths(paths)
