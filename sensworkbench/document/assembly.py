@@ -2,7 +2,7 @@
 """A machine out of an assembly: the grounded part is the bed, three sliders are the axes, their order is the chain.
 
 Directions, reference points and positions stay linked to the sliders, so that what the solver moves is followed.
-Where there are no sliders the axes are proposed from the geometry (`proposals`).
+Where there are no sliders the axes are proposed from the geometry (`propose`).
 """
 
 from __future__ import annotations

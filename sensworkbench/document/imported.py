@@ -6,11 +6,35 @@ Everything with solids is a piece; a compound that hides the parts is taken apar
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
+import FreeCAD as App
+
 from ..core.refusal import Refused
-from .contacts import Piece
 from .paths import Place, leaves, places
 
 COMPOUNDS = ("Part::Compound", "Part::Compound2")
+
+
+@dataclass
+class Piece:
+    """One object with its solids, document coordinates."""
+
+    where: Place
+    solids: list
+
+    @property
+    def label(self) -> str:
+        """Return the label of the part."""
+        return self.where.object.Label
+
+    @property
+    def box(self):
+        """Return the bounding box of its solids."""
+        total = App.BoundBox()
+        for solid in self.solids:
+            total.add(solid.BoundBox)
+        return total
 
 
 def pieces_of(objects) -> list[Piece]:
@@ -27,20 +51,6 @@ def pieces_of(objects) -> list[Piece]:
 def _repeats(obj, others) -> bool:
     """Whether an object is a compound of others that are there themselves."""
     return obj.TypeId in COMPOUNDS and bool(obj.Links) and all(link in others for link in obj.Links)
-
-
-def is_one_lump(objects) -> bool:
-    """Whether the parts of a machine are hidden in one or few compounds that have to be split first."""
-    pieces = pieces_of(objects)
-    return bool(pieces) and len(pieces) < 4 and sum(len(p.solids) for p in pieces) > len(pieces)
-
-
-def apart(objects) -> list:
-    """The objects, with the compounds that hide a machine's parts taken apart.  Opens no transaction."""
-    if not is_one_lump(objects):
-        return list(objects)
-    return [part for piece in pieces_of(objects)
-            for part in (split(piece.where.object) if len(piece.solids) > 1 else [piece.where])]  # fmt: skip
 
 
 def split(obj) -> list:

@@ -9,9 +9,10 @@ import FreeCADGui as Gui
 import Part
 
 from ..core.refusal import Refused
-from ..document import paths, proposals
+from ..document import paths
 from ..document.base import kind_of
 from ..document.propose import building, engine
+from ..document.propose.directions import AxisProposal, propose_axes
 from ..messages import Message
 
 BODIES = ("F", "X", "Y", "Z", "T", "W")
@@ -30,7 +31,7 @@ class Shown:
     found: engine.Found | None = None
     reasons: dict[str, list[tuple[str, Message]]] = field(default_factory=dict)
     notes: list[Message] = field(default_factory=list)
-    directions: list[proposals.AxisProposal] = field(default_factory=list)
+    directions: list[AxisProposal] = field(default_factory=list)
 
     @property
     def bodies(self) -> list[str]:
@@ -97,7 +98,7 @@ def _directions(found: engine.Found) -> list:
     units = [u for u in found.document.units if u.number is None] if found.document else []
     units = sorted(units, key=lambda u: -u.size)[:60]
     try:
-        return proposals.propose_axes([u.where for u in units if sum(s.faces for s in u.solids) < 500])
+        return propose_axes([u.where for u in units if sum(s.faces for s in u.solids) < 500])
     except (Refused, Part.OCCError):
         return []
 

@@ -8,8 +8,10 @@ import Part
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import contacts, curves, factory, geometry, proposals
+from sensworkbench.document import curves, factory, geometry
+from sensworkbench.document.imported import pieces_of
 from sensworkbench.document.paths import place
+from sensworkbench.document.propose import directions
 
 from .machines import offset_block
 
@@ -37,7 +39,7 @@ def test_no_shape_is_asked_in_vain(doc, kind):
         curves.line(edge), curves.circle(edge)
     for face in shape.Faces:
         curves.plane(face), curves.cylinder(face)
-    contacts.guides(proposals.pieces_of([obj]))
+    directions.guides(pieces_of([obj]))
     for n in range(1, len(shape.Edges) + 1):
         try:
             geometry.direction(place((obj, f"Edge{n}")), "Automatic", "X")
@@ -49,7 +51,7 @@ def test_no_shape_is_asked_in_vain(doc, kind):
             pass
     rod = doc.addObject("Part::Feature", "Rod")
     rod.Shape = Part.makeBox(20, 20, 900)
-    assert proposals.propose_axes([obj, rod])[0].length == pytest.approx(900)
+    assert directions.propose_axes([obj, rod])[0].length == pytest.approx(900)
 
 
 def test_null_and_endless_shapes_answer_nothing():

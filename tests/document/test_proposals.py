@@ -8,8 +8,10 @@ import Part
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import contacts, examples, factory, proposals, results, tree
+from sensworkbench.document import examples, factory, proposals, results, tree
+from sensworkbench.document.imported import pieces_of, split
 from sensworkbench.document.paths import leaves
+from sensworkbench.document.propose import directions
 
 from .blocks import block, close, point
 
@@ -70,7 +72,6 @@ def carried_by(machine, structure):
 def test_a_machine_from_one_step_compound_is_the_machine_that_was_written(doc, lumps, structure):
     path, truth, known = lumps(structure)
     lump = read(doc, path)
-    assert proposals.is_one_lump([lump])
     machine = proposals.machine_from_parts(doc, [lump])
     assert machine.Problem == ""
     assert (list(machine.WorkpieceChain), list(machine.ToolChain)) == known["chains"]
@@ -168,12 +169,12 @@ def test_splitting_keeps_every_solid_where_it_is(doc):
     lump.Placement = P(V(1, 2, 3), R(V(1, 0, 0), 45))
     holder.addObject(lump)
     doc.recompute()
-    before = sorted(middle(s) for p in proposals.pieces_of([lump]) for s in p.solids)
-    parts = proposals.split(lump)
+    before = sorted(middle(s) for p in pieces_of([lump]) for s in p.solids)
+    parts = split(lump)
     assert len(parts) == 3 and len(lump.Shape.Solids) == 3
-    assert sorted(middle(s) for p in proposals.pieces_of(parts) for s in p.solids) == before
+    assert sorted(middle(s) for p in pieces_of(parts) for s in p.solids) == before
     with pytest.raises(Refused, match="Lump 1"):
-        proposals.split(parts[0])
+        split(parts[0])
 
 
 def test_a_rounded_edge_and_a_bore_are_no_screws(doc):
@@ -181,32 +182,39 @@ def test_a_rounded_edge_and_a_bore_are_no_screws(doc):
     bored = bored.makeFillet(8, [e for e in bored.Edges if e.Length == pytest.approx(800) and len(e.Vertexes) == 2][:1])
     obj = doc.addObject("Part::Feature", "Ram")
     obj.Shape = bored
-    assert [g.kind for g in contacts.guides(proposals.pieces_of([obj]))] == ["rail"]  # long enough to be one
+    assert [g.kind for g in directions.guides(pieces_of([obj]))] == ["rail"]  # long enough to be one
 
 
 # -- refusals --------------------------------------------------------------------------------------------------------
 def test_what_shows_no_machine_is_refused_and_nothing_is_made(doc):
     parts = [box(doc, f"Block{i}", (100, 100, 100), (0, 0, 100 * i)) for i in range(5)]
+    tip = point(doc, "P", (0, 0, 0))
     doc.recompute()
-    before = len(doc.Objects)
-    with pytest.raises(Refused, match="0 places where parts slide"):
+    before = [o.Name for o in doc.Objects]
+    for objects, reason in ((parts, "propose-nothing-slides"), (parts[:1], "propose-too-few"),
+                            (tip, "propose-too-few")):  # fmt: skip
+        with pytest.raises(Refused) as refused:
+            proposals.machine_from_parts(doc, objects)
+        assert (refused.value.code, refused.value.fields["reason"].code) == ("propose-incomplete", reason)
+    with pytest.raises(Refused) as refused:
+        proposals.propose_axes([tip])
+    assert refused.value.code == "proposal-no-solids"
+    assert [o.Name for o in doc.Objects] == before
+
+
+def test_one_axis_is_no_machine_and_what_is_missing_is_asked(doc):
+    bed = box(doc, "Bed", (1000, 300, 100))
+    rails = [box(doc, "Rail HGR20-900", (900, 20, 20), (50, y, 100)) for y in (50, 230)]
+    blocks = [box(doc, "Block HGH20CA", (70, 44, 25), (x, y - 12, 105)) for x in (200, 400) for y in (50, 230)]
+    plate = box(doc, "Plate", (400, 300, 30), (150, 0, 130))
+    doc.recompute()
+    before = [o.Name for o in doc.Objects]
+    parts = [bed, *rails, *blocks, plate]
+    with pytest.raises(Refused) as refused:
         proposals.machine_from_parts(doc, parts)
-    with pytest.raises(Refused, match="2 parts"):
-        proposals.propose_machine(parts[:2])
-    with pytest.raises(Refused, match="no solids"):
-        proposals.propose_axes([point(doc, "P", (0, 0, 0))])
-    assert len(doc.Objects) == before + 1
-
-
-def test_examining_can_be_stopped(doc):
-    parts = [box(doc, f"Block{i}", (100, 100, 100), (0, 0, 100 * i)) for i in range(5)]
-    doc.recompute()
-    seen = []
-
-    def stop(done, total):
-        seen.append((done, total))
-        return done >= 2
-
-    with pytest.raises(Refused, match="stopped"):
-        proposals.propose_machine(parts, stop)
-    assert seen == [(0, 4), (1, 4), (2, 4)]
+    assert refused.value.code == "propose-incomplete" and refused.value.fields["reason"].code.startswith("propose-ask-")
+    assert [o.Name for o in doc.Objects] == before
+    machine = proposals.machine_from_parts(doc, parts, answers={"enough": True}, travel={"X": (-10, 20)})
+    axis = tree.axis_of(machine, "X")
+    assert (axis.TravelLower.Value, axis.TravelUpper.Value) == (-10, 20)
+    assert close(axis.Direction, (1, 0, 0)) and plate in [w.object for w in tree.parts_of(machine, "X")]

@@ -146,7 +146,7 @@ def _direction(doc, found: Found, axis: Axis, places):
     units = ([axis.rail] if axis.rail is not None else []) + sorted(found.bodies[axis.name], key=lambda u: -u.bulk)[:6]
     u = App.Vector(*axis.u)
     for unit in units:
-        source = _along(places.get(unit.key, unit.where), u)
+        source = along(places.get(unit.key, unit.where), u)
         if source is not None:
             return source
     line = doc.addObject("Part::Line", f"Direction{axis.name}")
@@ -159,19 +159,22 @@ def _direction(doc, found: Found, axis: Axis, places):
     return (line, "Edge1"), False
 
 
-def _along(where: Place, u: App.Vector):
-    """(link to the longest straight edge, or an axis of a cylinder, along u; whether to reverse it), or None."""
+def along(where: Place, u: App.Vector, most: int | None = MOST_EDGES):
+    """(link to the longest straight edge, or an axis of a cylinder, along u; whether to reverse it), or None.
+
+    most : edges and faces of each part that are looked at, None: all.
+    """
     for leaf in leaves(where)[:8]:
         shape = leaf.shape()
         if not curves.is_something(shape):
             continue
         best = None
-        for n, edge in enumerate(curves.parts(shape, "Edges")[:MOST_EDGES], 1):
+        for n, edge in enumerate(curves.parts(shape, "Edges")[:most], 1):
             v = curves.line(edge)
             if v is not None and v.cross(u).Length < PARALLEL and (best is None or edge.Length > best[0]):
                 best = (edge.Length, f"Edge{n}", v)
         if best is None:
-            for n, face in enumerate(curves.parts(shape, "Faces")[:MOST_EDGES], 1):
+            for n, face in enumerate(curves.parts(shape, "Faces")[:most], 1):
                 kept = curves.surface(face)
                 v = App.Vector(kept.Axis).normalize() if isinstance(kept, Part.Cylinder) else None
                 if v is not None and v.cross(u).Length < PARALLEL and (best is None or face.Area > best[0]):

@@ -17,7 +17,6 @@ from .guides import Guide, Slide
 from .reading import Bond, Document
 
 EVIDENCE_CAP = 0.97
-FIRM = 0.8  # above this a proposal must not be wrong
 
 
 @dataclass

@@ -14,11 +14,11 @@ import numpy as np
 
 from .. import curves, joints
 from ..base import kind_of
+from ..imported import COMPOUNDS
 from ..paths import DATUM_TYPES, Place, _is_folder, container_of, leaves, place
 from . import words
 from .facets import Looker, Solid, of_mesh
 
-COMPOUNDS = ("Part::Compound", "Part::Compound2")
 FEW = 3  # a document with fewer parts is looked into
 SMALL = 0.02  # of the machine's size: smaller things hold others together, and are none themselves
 

@@ -77,8 +77,6 @@ ROLES = (  # tried in this order; the first that fits is taken
 )  # fmt: skip
 FIXED = {"bed", "base", "column", "headstock", "tailstock"}
 MOVING = {"gantry", "carriage", "saddle", "table", "knee", "quill", "toolpost"}
-TOOLSIDE = {"tool", "quill", "gantry", "toolpost"}
-WORKSIDE = {"work", "table", "saddle", "knee"}
 VERTICAL = {"quill", "knee"}
 LEVEL = {"gantry", "table", "saddle"}
 
