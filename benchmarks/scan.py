@@ -75,25 +75,26 @@ def scan(count: int, flips: int, sample: int) -> dict:
     """Times of the scan and of refitting a sample of its candidates, s."""
     import numpy as np
 
+    from sensworkbench.closedloop.problem import Problem, State
     from sensworkbench.closedloop.scan import MIN_VISIBLE, exact_gain
-    from sensworkbench.closedloop.tracer import Tracer
 
     machine, readings = measured(count)
-    tracer = Tracer(machine, readings, permutations=flips)
-    fitted = tracer.fit_with([])
-    rows = tracer.rows(fitted)
+    problem = Problem(machine, readings, permutations=flips)
+    state = State(problem)
+    fitted = state.fit_with([])
+    rows = state.rows(fitted)
     seconds = []
     for _ in range(3):
         begin = time.perf_counter()
-        scanner = tracer.scanner(rows)
+        scanner = state.scanner(rows)
         scores = scanner.scores()
         seconds.append(time.perf_counter() - begin)
     begin = time.perf_counter()
-    scanner.null_maxima(tracer.signs)
+    scanner.null_maxima(state.signs)
     flipping = time.perf_counter() - begin
     candidates = scores.gain.size
 
-    weighted = tracer.design.matrix * fitted.weight[:, None]
+    weighted = problem.design.matrix * fitted.weight[:, None]
     weighted = weighted / np.maximum(np.linalg.norm(weighted, axis=0), 1e-300)
     y = readings.value * fitted.weight
 
@@ -104,15 +105,17 @@ def scan(count: int, flips: int, sample: int) -> dict:
     rng = np.random.default_rng(1)
     drawn, refit, worst = 0, 0.0, 0.0
     while drawn < sample:
-        k, g = int(rng.integers(len(tracer.bank))), int(rng.integers(len(tracer.places)))
+        k, g = int(rng.integers(len(problem.bank))), int(rng.integers(len(problem.component_indices)))
         if scores.visible[k, g] <= MIN_VISIBLE:
             continue
         begin = time.perf_counter()
-        vectors = tracer.bank[k].vectors(readings.columns)
-        column = tracer.design.lever[:, [tracer.places[g]]] * vectors[readings.point] * fitted.weight[:, None]
+        vectors = problem.bank[k].vectors(readings.columns)
+        column = (
+            problem.design.lever[:, [problem.component_indices[g]]] * vectors[readings.point] * fitted.weight[:, None]
+        )
         gain = without - left(np.hstack([weighted, column / np.linalg.norm(column, axis=0)]))
         refit += time.perf_counter() - begin
-        scored = exact_gain(rows, tracer.places[g], vectors)[0]
+        scored = exact_gain(rows, problem.component_indices[g], vectors)[0]
         worst = max(worst, abs(gain - scored) / max(gain, 1.0))
         drawn += 1
     once = sorted(seconds)[1]
@@ -120,8 +123,8 @@ def scan(count: int, flips: int, sample: int) -> dict:
         "readings": count,
         "rows": readings.rows,
         "candidates": candidates,
-        "components": len(tracer.places),
-        "drivers_and_shapes": len(tracer.bank),
+        "components": len(problem.component_indices),
+        "drivers_and_shapes": len(problem.bank),
         "scan_s": once,
         "flips": flips,
         "with_flips_s": once + flipping,

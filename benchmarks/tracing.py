@@ -32,7 +32,7 @@ from simulator.oracle import left_over  # noqa: E402
 
 from sensworkbench.closedloop.predict import predict  # noqa: E402
 from sensworkbench.closedloop.trace import trace  # noqa: E402
-from sensworkbench.formats import machine_json, readings_csv  # noqa: E402
+from sensworkbench.formats import machine_json, readings_csv, trace_json  # noqa: E402
 
 OUTCOMES = ("right", "rival", "same", "tie", "verdict", "part", "missed", "false", "failed")
 LIMIT = 1.2  # of the bound, as the cases are judged
@@ -160,7 +160,7 @@ def run(job) -> dict:
 
 def as_answer(result) -> dict:
     """The result as trace.json holds it."""
-    return result if isinstance(result, dict) else result.to_dict()
+    return trace_json.attached(trace_json.to_dict(result))
 
 
 def predict_at(result, positions) -> np.ndarray:
