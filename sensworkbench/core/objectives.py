@@ -29,8 +29,7 @@ class Objective:
     weights: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     name: ClassVar[str] = ""
-    power: ClassVar[int] = 2  # of a length (an angle) in the unit of Y
-    signed: ClassVar[bool] = False  # whether its mean is a length or angle, rather than the square of one
+    power: ClassVar[int] = 2  # of a length (an angle) in the unit of Y; 1: its mean has a sign
 
     def __post_init__(self):
         if self.output not in (POSITION, ORIENTATION):
@@ -138,7 +137,6 @@ class Signed(Objective):
 
     name: ClassVar[str] = "signed"
     power: ClassVar[int] = 1
-    signed: ClassVar[bool] = True
 
     def indices(self, omega, law):
         return sobol.signed_indices(omega, law, self.weights)

@@ -29,14 +29,9 @@ def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
     return map_positions(core, None if form == POINTS else core.names.index(form[-1]), at)
 
 
-def places(core, q: np.ndarray) -> np.ndarray:
-    """(P, 3) the tool point relative to the workpiece at positions q, mm, document coordinates."""
-    return core.tool_position(q)
-
-
 def title(objective, what: str) -> str:
     """Return the title of the map's legend."""
-    if objective.signed:
+    if objective.power == 1:
         return (translate("Sens", "Upper estimate |E[Y]| + 2√V(Y)") if what == WORST
                 else translate("Sens", "Expected error √(E[Y]² + V(Y))"))  # fmt: skip
     if what == WORST:
@@ -106,7 +101,7 @@ class ErrorMap:
             if whole != self._whole:  # one scale for the workspace: a slice that moves can be compared with the last
                 self._whole, everywhere = whole, map_errors(core, objective, positions(core), upper=what == WORST)
                 self._ends = float(everywhere.min()), float(everywhere.max())
-            self._fill(places(core, q), value, objective, colour_map, what, form, at)
+            self._fill(core.tool_position(q), value, objective, colour_map, what, form, at)
             self._key = key if machine.Inputs else None
         self._switch.whichChild = 0
         self.legend.show(self._text, self._scale, corner)

@@ -337,11 +337,12 @@ class WhatIf(QtGui.QWidget):
     def _words(self, then) -> str:
         unit, scale = shown_unit(then.objective.output)
 
-        def size(value, signed):
-            return (value if signed else sqrt(max(value, 0.0))) * scale
+        def size(value, power):
+            return (value if power == 1 else sqrt(max(value, 0.0))) * scale
 
-        old, new = size(self.result.MeanSquare, self.result.Signed), size(then.mean_square, then.objective.signed)
-        name = "E[Y]" if then.objective.signed else "√E[Y]"
+        power = then.objective.power
+        old, new = size(self.result.MeanSquare, 1 if self.result.Signed else 2), size(then.mean_square, power)
+        name = "E[Y]" if power == 1 else "√E[Y]"
         text = f"{name}: {old:.3g} {unit} → <b>{new:.3g} {unit}</b>"
         if old > 0:
             text += f" ({100 * (new - old) / old:+.1f} %)"
@@ -349,7 +350,7 @@ class WhatIf(QtGui.QWidget):
         words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
         text += " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
         limit = self.allowed.value()
-        if limit > 0 and unit == "µm" and not then.objective.signed:
+        if limit > 0 and unit == "µm" and power == 2:
             words = translate("Sens", "passes") if new <= limit else translate("Sens", "fails")
             colour = "#3f7d3a" if new <= limit else "#c0392b"
             text += f" · <b style='color:{colour}'>{words}</b> ({limit:g} µm)"
