@@ -175,7 +175,7 @@ def test_what_only_the_user_can_settle_stays_in_the_list_and_selects_its_object(
     machine.Document.recompute()
     panel = open_panel(machine.Document)
     assert not panel.mend.isEnabled() and "only you can settle" in panel.note.text()
-    row = shown(panel.form).index(f"{machine.Label}: its tool point is missing.\nChoose a point at the tool's tip.")
+    row = shown(panel.form).index(f"{machine.Label}: its tool point is missing. Choose a point at the tool's tip.")
     panel.table.setCurrentRow(row)
     assert Gui.Selection.getSelection() == [machine]
     click("Close")
