@@ -286,7 +286,7 @@ class _Final:
             u = float(np.sqrt(max(full.covariance[i, i], 0.0)))
             before, after = float(declared.coefficients[i]), float(full.coefficients[i])
             if u > 0 and abs(after - before) > u:
-                out.append(ParameterShift(term.label, before, after, u, component(term.symbol).angular))
+                out.append(ParameterShift(term.title, before, after, u, component(term.symbol).angular))
         return tuple(sorted(out, key=lambda s: -abs(s.after - s.before) / s.u))
 
     @property

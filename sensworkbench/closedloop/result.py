@@ -143,9 +143,9 @@ class NextMeasurement:
 
 @dataclass(frozen=True)
 class ParameterShift:
-    """A declared parameter that moved when the effects joined: label, values before and after and u (mm or rad)."""
+    """A declared parameter that moved when the effects joined: its name, values before and after and u (mm or rad)."""
 
-    label: str
+    title: str | Message
     before: float
     after: float
     u: float

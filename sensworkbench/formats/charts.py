@@ -228,7 +228,9 @@ def scatter(
     return drawing.svg
 
 
-def histogram(series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int = 40, alt: str = "") -> Html | None:
+def histogram(
+    series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int = 40, alt: str = "", ylabel: str = "points"
+) -> Html | None:
     """Histograms of several series over common bins, drawn as steps."""
     if not available():
         return None
@@ -242,7 +244,7 @@ def histogram(series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int
             ax.hist(v, edges, histtype="stepfilled", color=SERIES[i % 6], alpha=0.25, linewidth=0)
             ax.hist(v, edges, histtype="step", color=SERIES[i % 6], linewidth=1.5, label=_cut([name])[0])
         ax.set_xlabel(xlabel)
-        ax.set_ylabel("points")
+        ax.set_ylabel(ylabel)
         _grid(ax, "y")
         ax.legend(**_ABOVE)
     return drawing.svg

@@ -82,15 +82,18 @@ def augmented(evidence: TraceEvidence) -> Machine:
     return replace(evidence.machine, fitted=replace(evidence.machine.fitted, covariance=COVARIANCE))
 
 
-def write_trace(folder, result: TraceResult, extra: Callable[[Path, Machine], None] | None = None) -> list[Path]:
+def write_trace(
+    folder, result: TraceResult, extra: Callable[[Path, Machine], None] | None = None, language: str = "en"
+) -> list[Path]:
     """Write trace.json, report.html, machine_augmented.json and the covariance of the fit; returns their paths.
 
     extra : called with the temporary folder and the augmented machine, to add files that appear with the others.
+    language : of the report.
     """
-    return write_saved_trace(folder, trace_json.to_dict(result), result.evidence, extra)
+    return write_saved_trace(folder, trace_json.to_dict(result), result.evidence, extra, language)
 
 
-def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=None) -> list[Path]:
+def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=None, language: str = "en") -> list[Path]:
     """Write a trace that was kept as the data of trace.json and its evidence; see `write_trace`."""
     machine = augmented(evidence)
     names, matrix = evidence.covariance
@@ -98,7 +101,7 @@ def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=No
     np.savez_compressed(covariance, parameters=np.array(names, dtype=str), covariance=np.asarray(matrix, dtype=float))
     files = {
         "trace.json": json_text.dumps(report),
-        "report.html": trace_html.trace_report(report, evidence),
+        "report.html": trace_html.trace_report(report, evidence, language),
         "machine_augmented.json": machine_json.dumps(machine),
         COVARIANCE: covariance.getvalue(),
     }

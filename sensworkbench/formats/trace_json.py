@@ -158,10 +158,11 @@ def _plain(result: TraceResult) -> dict:
         "remainder": _left(result.left),
         "outliers": [{"line": o.line, "position_mm": list(o.position)} for o in result.outliers],
         "findings": [
-            {"severity": f.severity, "code": f.code, "message": str(f.message), "line": f.line}
+            {"severity": f.severity, "code": f.code, "message": f.text(), "line": f.line}
+            | (said("message", f.message) if isinstance(f.message, Message) else {})
             for f in result.readings.findings
         ]
-        + [{"severity": "warning", "message": str(m), "line": 0} | m.to_dict() for m in result.remarks],
+        + [{"severity": "warning"} | said("message", m) | {"line": 0} | m.to_dict() for m in result.remarks],
     }
 
 
@@ -227,7 +228,8 @@ def _noise(n: NoiseSummary) -> dict:
 
 def _shift(s) -> dict:
     scale, unit = (1e6, "urad") if s.angular else (1e3, "um")
-    return {"parameter": s.label, "before": s.before * scale, "after": s.after * scale, "u": s.u * scale, "unit": unit}
+    values = {"before": s.before * scale, "after": s.after * scale, "u": s.u * scale, "unit": unit}
+    return (said("parameter", s.title) if isinstance(s.title, Message) else {"parameter": s.title}) | values
 
 
 def _left(left) -> dict:

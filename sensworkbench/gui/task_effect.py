@@ -11,6 +11,7 @@ import json
 from ..core.refusal import Refused
 from ..document import tree
 from ..formats.trace_html import driver_words, parameter_words
+from ..formats.words import Words
 from . import messages
 from .command import Command, Where, command
 from .current import selected
@@ -62,7 +63,8 @@ def parameters(text: str) -> list[tuple[str, str]]:
         found = json.loads(text or "{}")
     except ValueError:
         return []
-    return [(parameter_name(k), parameter_words(v)) for k, v in found.items() if k != "domains"]
+    words = Words(messages.language())
+    return [(parameter_name(k), parameter_words(v, words)) for k, v in found.items() if k != "domains"]
 
 
 def switch(effect, enabled: bool) -> bool:

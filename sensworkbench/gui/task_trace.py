@@ -355,7 +355,8 @@ def ask_and_write(trace) -> list:
     folder = messages.ask_folder(translate("Sens", "Folder for the trace"))
     if not folder or not messages.may_write(folder, TRACE_FILES):
         return []
-    paths = study_files.write_saved_trace(folder, closed_loop.report_of(trace), closed_loop.evidence_of(trace))
+    report, evidence = closed_loop.report_of(trace), closed_loop.evidence_of(trace)
+    paths = study_files.write_saved_trace(folder, report, evidence, language=messages.language())
     messages.written(paths)
     return paths
 

@@ -12,7 +12,8 @@ import numpy as np
 
 from ..core.errors import COMPONENTS, component
 from ..formats import trace_html
-from ..formats.trace_html import driver_words, parameter_words, um, unit_words
+from ..formats.trace_html import driver_words, parameter_words, shape_words, um, unit_words
+from ..formats.words import Words
 from ..studies.trace import component_values, point_vectors
 from . import plots
 from .finding_words import all_said, language, said
@@ -213,11 +214,19 @@ def _finding_sentence(e, machine) -> str:
         symbol=e["component"], body=who, driver=driver_words(e["driver"]), size=um(e["amplitude_um"])
     )
     value = e["parameters"].get("coefficient")
-    words = f"{what}; {parameter_words(value)}" if value else what
+    words = f"{what}; {parameter_words(value, Words(language()))}" if value else what
     count = len(e["rivals"])
     if count:
         words += "; " + translate("Sens", "rivals that these readings cannot tell from it: {n}").format(n=count)
     return words + "."
+
+
+def _candidates(entries) -> list[tuple]:
+    """Component, driver, shape and reason of rivals or refused names."""
+    words = Words(language())
+    return [
+        (r["component"], driver_words(r["driver"]), shape_words(r["shape"], words), said(r, "why")) for r in entries
+    ]
 
 
 def findings_page(report, outcome=None):
@@ -232,8 +241,12 @@ def findings_page(report, outcome=None):
             pairs = [
                 (translate("Sens", "Component"), f"{e['component']}, {what}"),
                 (translate("Sens", "Driver"), driver_words(e["driver"])),
-                (translate("Sens", "Shape"), e["shape"]),
-                *((parameter_name(k), parameter_words(v)) for k, v in e["parameters"].items() if k != "domains"),
+                (translate("Sens", "Shape"), shape_words(e["shape"], Words(language()))),
+                *(
+                    (parameter_name(k), parameter_words(v, Words(language())))
+                    for k, v in e["parameters"].items()
+                    if k != "domains"
+                ),
                 (translate("Sens", "Size"), f"{um(e['amplitude_um'])} µm rms"),
                 (translate("Sens", "Chance by noise alone"), f"p = {e['p_familywise']:.2g}"),
                 (translate("Sens", "Found again in half-samples"), f"{e['selection_frequency']:.0%}"),
@@ -247,7 +260,7 @@ def findings_page(report, outcome=None):
                 parts.append(paragraph(said(e, "note")))
             parts.append(_driver_chart(page, e, outcome))
             if e["rivals"]:
-                rows = [(r["component"], driver_words(r["driver"]), r["shape"], said(r, "why")) for r in e["rivals"]]
+                rows = _candidates(e["rivals"])
                 head = [translate("Sens", "Rival"), translate("Sens", "Driver"), translate("Sens", "Shape"),
                         translate("Sens", "Why it remains")]  # fmt: skip
                 parts += [
@@ -258,7 +271,7 @@ def findings_page(report, outcome=None):
                 parts.append(paragraph(translate("Sens", "No rival: nothing else that was searched explains as much.")))
         if report.get("refused_names"):
             refused = report["refused_names"]
-            rows = [(r["component"], driver_words(r["driver"]), r["shape"], said(r, "why")) for r in refused]
+            rows = _candidates(refused)
             parts.append(heading(translate("Sens", "Significant, but not named")))
             head = [translate("Sens", "Component"), translate("Sens", "Driver"), translate("Sens", "Shape"),
                     translate("Sens", "Why it carries no name")]  # fmt: skip
@@ -333,7 +346,13 @@ def before_after_page(report, outcome=None):
         shifts = report.get("parameter_shifts", [])[:8]
         if shifts and report["effects"]:
             rows = [
-                (s["parameter"], f"{s['before']:.3g}", f"{s['after']:.3g}", f"{s['u']:.2g}", unit_words(s["unit"]))
+                (
+                    said(s, "parameter"),
+                    f"{s['before']:.3g}",
+                    f"{s['after']:.3g}",
+                    f"{s['u']:.2g}",
+                    unit_words(s["unit"]),
+                )
                 for s in shifts
             ]
             parts.append(heading(translate("Sens", "Declared errors that moved when the effects joined")))

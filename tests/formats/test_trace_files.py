@@ -13,8 +13,10 @@ import pytest
 
 from sensworkbench import cli, demo
 from sensworkbench.closedloop.trace import trace
+from sensworkbench.core.shapes import SHAPES
 from sensworkbench.core.synthesis import exact_error
 from sensworkbench.formats import machine_json, readings_csv, study_files, trace_html
+from sensworkbench.messages import LANGUAGES, Message
 from sensworkbench.studies.trace import component_values
 
 from .support import ROOT, command
@@ -222,7 +224,112 @@ def test_every_verdict_has_its_words_and_hostile_names_stay_text(traced, verdict
     data["next_measurements"] = [{"separates": ["a", "<i>"], "do": "<u>", "predicted_difference_um": 1.25}]
     root = ElementTree.fromstring(trace_html.trace_report(data).removeprefix("<!DOCTYPE html>\n"))
     assert root.find(".//script") is None and root.find(".//u") is None
-    assert trace_html.VERDICTS[verdict][1] in "".join(root.itertext())
+    assert str(trace_html.VERDICTS[verdict][1]) in "".join(root.itertext())
+
+
+SAME_WORD = {"Amplitude", "Exponent", "Parameter", "rms", "rms x", "rms y", "rms z"}  # in English and another language
+SPOKEN = ("h1", "h2", "h3", "p", "th", "dt", "caption", "figcaption", "footer", "li")
+
+
+def with_everything(data: dict) -> dict:
+    """The data of a trace with an entry in each part of the page, sentences with their messages."""
+    said = data["messages"]
+
+    def say(path, message):
+        said[path] = message.to_dict()
+        return str(message)
+
+    data["effects"][0]["rivals"] = [
+        {
+            "component": "EXX",
+            "driver": "temp_column*y",
+            "shape": "lag",
+            "why": say("effects[0].rivals[0].why", Message("rival-as-much", loss=1.5)),
+        }
+    ]
+    hidden = {
+        "name": say("effects[1].name", Message("hidden-motion-along", component="EXX", place="y")),
+        "component": "EXX",
+        "driver": "unlogged*y",
+        "shape": "random",
+        "parameters": {"rms": {"value": 1.0, "unit": "um/mm"}},
+        "note": say("effects[1].note", Message("finding-aliased", periods=[10.0, 20.0])),
+        "rivals": [],
+    }
+    data["effects"].append(data["effects"][0] | hidden)
+    data["effects"][0]["parameters"] |= {k: {"value": [1.0] * 7, "unit": ""} for k in trace_html.PARAMETERS}
+    data["refused_names"] = [
+        {
+            "component": "EYY",
+            "driver": "t",
+            "shape": "step",
+            "why": say("refused_names[0].why", Message("refused-beside-others")),
+        }
+    ]
+    columns = ["temp_column", "t"]
+    data["next_measurements"] = [
+        {
+            "separates": [say("next_measurements[0].separates[0]", Message("next-through", columns=columns))],
+            "do": say("next_measurements[0].do", Message("next-vary", columns=columns)),
+            "predicted_difference_um": 2.0,
+        }
+    ]
+    data["outliers"] = [{"line": 7, "position_mm": [0.0, 0.0, 0.0]}]
+    data["findings"][0]["line"] = 3
+    return data
+
+
+def spoken(page: str) -> set[str]:
+    """Headings, captions and sentences of a page that have a word in them, other than names from files."""
+    root = ElementTree.fromstring(page.removeprefix("<!DOCTYPE html>\n"))
+    found = {" ".join("".join(e.itertext()).split()) for tag in SPOKEN for e in root.iter(tag)}
+    return {t for t in found if any(c.isalpha() for c in t)}
+
+
+@pytest.mark.parametrize("language", [x for x in LANGUAGES if x != "en"])
+def test_no_heading_and_no_sentence_of_the_report_stays_english(traced, language):
+    folder, _ = traced
+    data = with_everything(json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8")))
+    english, other = (trace_html.trace_report(data, language=x) for x in ("en", language))
+    assert f'<html lang="{language}">' in other
+    one, two = spoken(english), spoken(other)
+    assert len(one) > 70 and len(two) > 70
+    assert one & two <= SAME_WORD
+    for word in ("Component", "unlogged", ">lag<", ">random<", "order 1", "7 in all", "thermal bending", "held out"):
+        assert word in english and word not in other
+
+
+def test_every_parameter_that_a_shape_can_have_has_a_name():
+    assert {p for shape in SHAPES.values() for p in shape.parameters} <= set(trace_html.PARAMETERS)
+
+
+@pytest.mark.parametrize("language", [x for x in LANGUAGES if x != "en"])
+def test_the_language_is_that_of_the_report_alone(traced, tmp_path, language):
+    folder, _ = traced
+    words = ["trace", str(MACHINE), str(folder / "measured.csv"), "--out", str(tmp_path), "--language", language]
+    assert cli.main(words) == 0
+    for name in ("trace.json", "machine_augmented.json"):
+        assert (tmp_path / name).read_bytes() == (folder / "out" / name).read_bytes()
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert f'<html lang="{language}">' in page
+    words = [trace_html.VERDICTS["explained"][1], *trace_html.STAGES.values(), Message("tr-chart-points")]
+    assert all(w.text(language) in page and str(w) not in page for w in words)  # in the charts too
+
+
+def test_a_language_that_is_not_known_is_refused(traced, tmp_path, capsys):
+    folder, _ = traced
+    words = ["trace", str(MACHINE), str(folder / "measured.csv"), "--out", str(tmp_path / "o"), "--language", "xx"]
+    assert cli.main(words) == 2
+    assert "--language" in capsys.readouterr().err
+    assert not (tmp_path / "o").exists()
+
+
+def test_sentences_without_codes_are_shown_as_they_are(traced):
+    folder, _ = traced
+    data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
+    del data["messages"]  # as earlier versions wrote it
+    page = trace_html.trace_report(data, language="de")
+    assert data["effects"][0]["name"] in page and data["remainder"]["words"] in page and "Befunde" in page
 
 
 def test_the_value_that_the_readings_ask_for_lies_on_the_effect(traced):

@@ -24,6 +24,7 @@ def add(parser) -> None:
     parser.add_argument("--seed", metavar="N", type=common.whole, default=0, help=text)
     text = "behind each p (default 199)"
     parser.add_argument("--permutations", metavar="N", type=common.whole, default=199, help=text)
+    common.add_language(parser)
 
 
 def run(arguments) -> int:
@@ -39,7 +40,7 @@ def run(arguments) -> int:
 
     if not common.is_document(arguments.machine):
         outcome = traced(machine_json.load(arguments.machine))
-        paths = study_files.write_trace(arguments.out, outcome)
+        paths = study_files.write_trace(arguments.out, outcome, language=arguments.language)
     else:
         batch = common.batch()
         machine, opened = batch.load_machine(arguments.machine)
@@ -51,7 +52,7 @@ def run(arguments) -> int:
 
             if common.same_file(Path(arguments.out) / AUGMENTED, arguments.machine):
                 raise Refused("out-is-input-folder", arguments.machine)
-            paths = study_files.write_trace(arguments.out, outcome, add_document)
+            paths = study_files.write_trace(arguments.out, outcome, add_document, arguments.language)
     common.say(outcome.verdict)
     for found in outcome.effects:
         common.say(f"  {found.effect.component} driven by {found.effect.driver}: {found.effect.name}")
