@@ -228,6 +228,16 @@ def test_the_pages_say_what_was_found(machine, traced, tmp_path, monkeypatch):
         "trace.json", "report.html", "machine_augmented.json", "covariance.npz", "manifest.json"
     }  # fmt: skip
     close_messages()
+    assert '<html lang="en">' in (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    monkeypatch.setattr(gui_messages, "ask_folder", lambda title: str(tmp_path / "german"))
+    Gui.setLocale("German")
+    try:
+        panel.report.click()
+        close_messages()
+    finally:
+        Gui.setLocale("English")
+    report = (tmp_path / "german" / "report.html").read_text(encoding="utf-8")
+    assert '<html lang="de">' in report and "<h2>Befunde</h2>" in report and "<h2>Findings</h2>" not in report
     click("Close")
 
 
