@@ -115,7 +115,7 @@ def loads(text: str, name: str = NAME) -> dict:
     if not isinstance(top.value, dict) or top.value.get("format") != FORMAT:
         raise Refused("manifest-not-one", name)
     top.keys(("format", "version", "sets"), ("version", "sets"))
-    if top.value["version"] != VERSION:
+    if isinstance(top.value["version"], bool) or top.value["version"] != VERSION:
         raise Refused("manifest-version", top["version"].where, version=json_text.short(top.value["version"]))
     for entry in top["sets"].elements():
         keys = ("verb", "made_by", "command", "seed", "conventions", "inputs", "files", "written_over")
@@ -124,6 +124,10 @@ def loads(text: str, name: str = NAME) -> dict:
         entry["made_by"].string()
         for word in entry["command"].elements():
             word.string()
+        if "seed" in entry and entry["seed"].value is not None:
+            entry["seed"].integer(-(2**63), 2**63)
+        for _, stated in entry["conventions"].members() if "conventions" in entry else ():
+            stated.string()
         for group, key in (("inputs", "path"), ("files", "name")):
             for file in entry[group].elements():
                 file.keys((key, "sha256", "bytes"), (key, "sha256", "bytes"))

@@ -57,7 +57,7 @@ def loads_json(text: str, name: str = "tolerances.json", known=component) -> dic
         raise top.refuse("json-not-tolerances", format=FORMAT)
     if kind == FORMAT:
         top.keys(("format", "version", "tolerances"), ("format", "version", "tolerances"))
-        if top.value["version"] != VERSION:
+        if isinstance(top.value["version"], bool) or top.value["version"] != VERSION:
             raise top["version"].refuse("json-version", version=short(top.value["version"]), known=[VERSION])
     elif "tolerances" not in top:
         raise top.refuse("machine-without-tolerances")
