@@ -8,6 +8,7 @@ file does not declare.
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import importlib
 import json
@@ -16,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -135,13 +137,26 @@ def _window_command() -> list[str] | None:
     return [program] if os.environ.get("DISPLAY") else None
 
 
+@contextlib.contextmanager
+def _home(work: Path) -> Iterator[Path]:
+    """A home for FreeCAD with this workbench, in the hidden folder of the run: after a kill, it goes with that."""
+    with contextlib.ExitStack() as stack:
+        for place in (work.parent, None):  # where a disk knows no links, the folder for temporary files
+            home = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="sens-demo-", dir=place)))
+            (home / "Mod").mkdir()
+            try:
+                (home / "Mod" / "SensWorkbench").symlink_to(ROOT)
+                break
+            except OSError:
+                if place is None:
+                    raise
+        yield home
+
+
 def _build_in_freecad(work: Path, structure: str) -> None:
     window = _window_command()
     command = window or [importlib.import_module("sensworkbench.document.handoff").freecadcmd()]
-    with tempfile.TemporaryDirectory(prefix="sens-demo-") as name:
-        home = Path(name)
-        (home / "Mod").mkdir()
-        (home / "Mod" / "SensWorkbench").symlink_to(ROOT)
+    with _home(work) as home:
         (home / "user.cfg").write_text(USER_CFG, encoding="utf-8")
         script, log = home / "demo.py", home / "demo.log"
         script.write_text(CODE, encoding="utf-8")

@@ -25,6 +25,7 @@ from .fitted_errors import as_direction, carried_as, line_error, series, squaren
 
 GOAL = {False: 2e-5, True: 2e-8}  # interpolation error of a table: mm, rad
 MAX_DEGREE = 30
+IMPLAUSIBLE = {False: 1.0, True: 1e-2}  # mm, rad: errors from which a table is likely in another unit
 MAX_POINTS = {1: 1025, 2: 65, 3: 17}  # per axis, by the number of axes
 
 
@@ -232,7 +233,7 @@ def to_machine(
         raise Refused("degree-out-of-range", "--degree", degree=degree, most=MAX_DEGREE)
     tables = converted(tables, convention or Convention())
     stated = (convention or Convention()).squareness
-    findings, quality = list(tables.findings), []
+    findings, quality = [*tables.findings, *_implausible(tables)], []
     changes: dict = dict(tables.constants)
     effects = list(machine.effects)
     for table in tables.tables:
@@ -249,6 +250,19 @@ def to_machine(
                 changes[rotation] = old.plus(factor * machine.side(machine.component(symbol).body) * s)
         findings.append(remark("squareness-converted", stated=stated, taken=machine.squareness))
     return with_fitted(machine, changes, effects), tuple(quality), tuple(findings)
+
+
+def _implausible(tables: ErrorTables) -> list[Finding]:
+    """A warning for each parameter that no machine tool reaches: um stand where mm are meant, or arcsec for rad."""
+    sizes = {t.symbol: float(np.abs(t.values).max(initial=0.0)) for t in tables.tables}
+    sizes |= {s: abs(v) for s, v in tables.constants.items()}
+    found = []
+    for symbol, size in sizes.items():
+        angular = component(symbol).angular
+        if size >= IMPLAUSIBLE[angular]:
+            unit = "rad" if angular else "mm"
+            found.append(remark("table-size-implausible", severity="warning", symbol=symbol, size=size, unit=unit))
+    return found
 
 
 def _renamed(added, effects):

@@ -258,3 +258,25 @@ def test_a_folder_that_was_deleted_under_the_program_is_a_refusal(place):
 def test_a_noise_below_anything_that_can_be_measured_is_refused(place, capsys):
     assert cli.main(["plan", "m.json", "p.csv", "--noise", "1e-300", "--out", "o"]) == 2
     assert "--noise" in capsys.readouterr().err
+
+
+KILLED_DEMO = """
+import os, signal
+from sensworkbench import cli, demo
+demo._window_command = lambda: ["freecad"]
+demo.subprocess.run = lambda *words, **options: os.kill(os.getpid(), signal.SIGKILL)
+cli.main(["demo", "--out", "o/demo"])
+"""
+
+
+def test_a_killed_demonstration_leaves_nothing_that_the_next_command_does_not_remove(place):
+    (place / "tmp").mkdir()
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "TMPDIR": str(place / "tmp")}
+    (place / "o").mkdir()
+    done = subprocess.run([sys.executable, "-c", KILLED_DEMO], cwd=place, env=environment, timeout=120)
+    assert done.returncode == -9
+    [left] = (place / "o").glob(".sens-*/sens-demo-*/Mod/SensWorkbench")
+    assert left.is_symlink() and left.samefile(ROOT)
+    assert cli.main(["sensitivity", "m.json", "--at", "10,-5,3", "--out", "o/demo"]) == 0
+    assert {p.name for p in (place / "o").iterdir()} == {"demo"} and list((place / "tmp").iterdir()) == []
+    assert (ROOT / "InitGui.py").is_file()  # the link went, not what it led to

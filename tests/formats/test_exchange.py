@@ -394,6 +394,23 @@ def test_the_approximation_of_a_rough_table_is_reported():
         to_machine(m, isg.loads(text), degree=31)
 
 
+@pytest.mark.parametrize(
+    ("values", "symbol", "said"),
+    [("0 8 -5", "EXX", "8 mm"), ("0 0.99 0", "EXX", ""), ("0 1.2 20", "EAX", "20 rad"), ("0 0.009 0", "EAX", "")],
+)
+def test_a_table_in_another_unit_than_mm_and_rad_is_noticed(values, symbol, said):
+    text = f"X {symbol}\n" + "\n".join(f"{x} {v}" for x, v in zip((-200, 0, 200), values.split(), strict=True))
+    _, _, findings = to_machine(machine(fitted={}), isg.loads(text))
+    found = [f for f in findings if f.code == "table-size-implausible"]
+    assert len(found) == bool(said)
+    assert all(f.severity == "warning" and symbol in f.text() and said in f.text() for f in found)
+
+
+def test_a_squareness_in_another_unit_than_rad_is_noticed():
+    _, _, findings = to_machine(machine(fitted={}), etalon.loads("[C0Y]\nVALUE = 20\n"))
+    assert [f.message.fields["symbol"] for f in findings if f.code == "table-size-implausible"] == ["C0Y"]
+
+
 def test_the_examples_of_the_isg_pages_are_read():
     text = """// Machine position errors
 Y0A    Z0A    X0B
