@@ -86,6 +86,8 @@ def rest(state: State) -> Rest:
     dropped = _still_there(state, model)
     refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
     structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped)
+    if structured:
+        state, first = _relocated(state, model, first)
     smooth: list[ScoredTerm] = []
     found = first
     for _ in range(3):
@@ -99,6 +101,28 @@ def rest(state: State) -> Rest:
     hidden = None if structured else _unlogged(state, [*model, *smooth])
     drift = slow_drift(state.fit_with([*model, *smooth]), state.problem.readings, s)
     return Rest(first, tuple(smooth), structured or drift is not None, hidden, drift, dropped)
+
+
+def _relocated(state: State, model, first: Remainder) -> tuple[State, Remainder]:
+    """The state and the test with the memory that the noise has beside the structure, where that is less.
+
+    Structure that is not in the model looks like memory, and whitening by it blurs the columns that it depends on.  So
+    it is located as if nothing remembered; if the noise remembers less beside what is found, that story is the simpler
+    one.  The decision that there is structure stays with the test that knows the larger memory.
+    """
+    if first.structure is None or not any(state.memory.values()):
+        return state, first
+    bare = replace(state, memory={})
+    located = remainder(bare, model).structure
+    if located is None:
+        return state, first
+    quiet = bare.heard(bare.fit_with([*model, surface_candidate(located)]))
+    if all(quiet.memory.get(k, 0.0) >= v for k, v in state.memory.items()):
+        return state, first
+    again = remainder(quiet, model)
+    if again.structure is None or again.p >= state.settings.alpha:
+        return state, first
+    return quiet, replace(again, p=max(again.p, first.p))
 
 
 def _still_there(state: State, model) -> tuple[Step, ...]:
