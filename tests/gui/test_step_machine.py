@@ -156,7 +156,7 @@ def test_a_tree_keeps_its_names_and_takes_directions_and_travel_from_its_rails(d
     assert "disagree" not in note.text()
     table.setCurrentItem(table.topLevelItem(2))
     pump(20)
-    assert flat or "the name 'Saddle Y'" in note.text()
+    assert flat or "its name says Y" in note.text()
     screenshot("step-tree")
     click("Cancel")
     assert not tree.machines(doc)
