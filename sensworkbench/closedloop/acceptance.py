@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..core.driver import TIME
 from ..core.units import um
 from ..messages import Message
 from . import evidence
@@ -46,8 +47,28 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     if p < state.settings.alpha:
         runs = between_runs(state, others, found)
         p = p if runs is None else max(p, runs[0])
+    if state.drifts:
+        p = max(p, _beside_a_drift(state, others, full, found))
     clear = tail > state.settings.unlogged_margin * float(null.max())
     return Step(found, p, float(np.sqrt(gain / used)), held, runs=None if runs is None else runs[1:], clear=clear)
+
+
+def _beside_a_drift(state: State, others, full: Fit, best: ScoredTerm) -> float:
+    """Family-wise p of `best` beside a drift that no fit whitens; `full` : the fit with it.  The smaller of two.
+
+    Two things that drift go together by chance (Granger and Newbold 1974).  Either the effect shows from reading to
+    reading, where the drift is whitened too; or its gain is beyond chance when divided by the number of readings that
+    count as one, at the upper limit of the correlation that `full` leaves.  A drift is a function of time: beside it
+    nothing proves another one, but for a jump.
+    """
+    if TIME in best.driver.columns and not best.shape.sudden:
+        return 1.0
+    by_steps = judge(replace(state, whitened=True), others, best).p
+    if best.shape.sudden or by_steps < state.settings.alpha:
+        return by_steps
+    gain, dims = best.gain / state.inflation(full, best), len(best.coefficients)
+    tail = normal_tail(gain, dims) if dims > 1 else float(log_tail(np.array(gain), 1))
+    return min(by_steps, len(state.problem.bank) * len(state.problem.groups) * 10.0**-tail)
 
 
 def _on_the_grid(state: State, full: Fit, others, best: ScoredTerm) -> float:
@@ -82,6 +103,9 @@ def selection(state: State, others, best: ScoredTerm, pool) -> float:
     hits = 0
     for _ in range(s.halves):
         use = rng.permutation(grams.count)[: grams.count // 2]
+        if state.drifts:  # chi-square counts readings that are alike as independent: it must predict the other half
+            hits += grams.half_gain(base, mine[0], use) > 0
+            continue
         score = grams.gains(base, mine, use) - cost
         hits += bool(score[0] > 0 and (alike[int(np.argmax(score))] or score[0] > score.max() - s.rival))
     return hits / s.halves
@@ -129,7 +153,9 @@ def _refusal(state: State, step: Step, others, full: Fit) -> Message | None:
     rows = state.rows_with(full, [*(o for o in others if not same_place(o, c)), c])
     used = int(np.count_nonzero(full.weight))
     table = p.readings.columns
-    reason = stand_in(c, others, table, p.names) or beyond(rows, c, table, p.names, used, settings=s)
+    reason = stand_in(c, others, table, p.names) or beyond(
+        rows, c, table, p.names, used, settings=s, inflation=state.inflation(full, c)
+    )
     size = um(p.amplitude(c))
     if reason is None and size > s.largest_um:
         return Message("refused-size", size=size)

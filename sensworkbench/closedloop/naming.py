@@ -67,11 +67,21 @@ def free_forms(candidate: ScoredTerm, columns, names) -> list[tuple[Message, np.
 
 
 def beyond(
-    rows: Rows, candidate: ScoredTerm, columns, names, readings_used: int, settings: TraceSettings = DEFAULT
+    rows: Rows,
+    candidate: ScoredTerm,
+    columns,
+    names,
+    readings_used: int,
+    settings: TraceSettings = DEFAULT,
+    inflation: float = 1.0,
 ) -> Message | None:
-    """What a free form finds beyond the candidate, or None; rows: of the model that holds the candidate."""
+    """What a free form finds beyond the candidate, or None; rows: of the model that holds the candidate.
+
+    inflation : of the variance by memory of the noise that is not whitened.
+    """
     for what, vectors in free_forms(candidate, columns, names):
         gain, dims = subspace_gain(rows, candidate.index, vectors)
+        gain = gain / inflation
         size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
         if normal_score(gain, dims) > settings.beyond_score and size > settings.beyond_size:
             return Message("refused-free-form", form=what, component=candidate.symbol)

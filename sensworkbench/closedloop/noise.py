@@ -86,6 +86,11 @@ class Memory:
         return rows, self.before[rows], -(scale * other)[rows]
 
 
+def duration(phi: float) -> float:
+    """The number of readings that count as one: the variance of a mean is so many times that of white noise."""
+    return (1 + phi) / (1 - phi)
+
+
 def _before(kind, run_of_row, use) -> np.ndarray:
     before = np.full(len(kind), -1)
     for k in np.unique(kind):

@@ -12,6 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
+from ..core.driver import DIRECTIONS, POSITIONS
 from ..core.machine import Machine
 from ..core.shapes import Regressor
 from ..core.synthesis import omega
@@ -19,10 +20,13 @@ from . import evidence
 from .bank import bank, useful_columns
 from .design import Design, alike, design
 from .fit import Fit, basis, correlation, fit
+from .noise import duration
 from .readings import Readings
 from .scan import Rows, Scanner
 from .search import ScoredTerm
 from .settings import DEFAULT, TraceSettings
+
+CERTAIN_DRIFT = 0.9999  # correlation; more is a drift without end, of which any number of readings count as one
 
 
 @dataclass(frozen=True)
@@ -105,6 +109,11 @@ class Problem:
         return Scanner.wholes(self.bank, self.readings.columns, self.middle, self.thin)
 
     @cached_property
+    def stands(self) -> bool:
+        """Is every reading taken at the same place?  Then only what is logged over time drives anything."""
+        return not set(self.names) & {*POSITIONS, *DIRECTIONS}
+
+    @cached_property
     def blocks(self) -> dict[bool, np.ndarray]:
         """(P,) block of each point: short ones, and long ones (True) for noise that remembers."""
         s = self.settings
@@ -152,12 +161,14 @@ class State:
     """What a trace knows: the effects so far with their evidence, the memory of the noise, roughness, and its log.
 
     memory : direction of sensing -> correlation of successive residuals (0 where they do not remember).
+    whitened : whether fits whiten drifts too.
     dropped : what was beyond chance when it was judged and yet not accepted, with the reason.
     """
 
     problem: Problem
     steps: tuple[Step, ...] = ()
     memory: dict = field(default_factory=dict)
+    whitened: bool = False
     roughness: tuple[ScoredTerm, ...] = ()
     dropped: tuple[Step, ...] = ()
     log: tuple[str, ...] = ()
@@ -197,9 +208,40 @@ class State:
         return max(self.memory.values(), default=0.0) > self.settings.remembers
 
     @property
-    def inflation(self) -> float:
-        """Variance inflation of a slow column's coefficient by memory that the fits do not model."""
-        return 1.0
+    def modelled(self) -> dict:
+        """The memory that fits whiten: direction -> correlation of successive residuals, 0 where it is too long.
+
+        What long blocks do not forget is a drift.  Whitened it would all but be differenced: slow effects would be
+        lost, and columns preferred that follow it from reading to reading and predict no other block.  Where the
+        machine moves from reading to reading, its effects do too: there whitening loses nothing.
+        """
+        if self.whitened or not self.problem.stands:
+            return self.memory
+        s, p = self.settings, self.problem
+        block = p.readings.points / (int(p.blocks[True].max()) + 1)
+        longest = max(s.block_memory * block, duration(s.differencing))
+        return {k: phi if duration(phi) <= longest else 0.0 for k, phi in self.memory.items()}
+
+    @property
+    def drifts(self) -> bool:
+        """Does what is left remember for too long to be whitened, in any direction?"""
+        return self.modelled != self.memory
+
+    def inflation(self, fitted: Fit, c: ScoredTerm) -> float:
+        """Variance inflation of the coefficient of a slow term by drifts that the fits do not model.
+
+        The correlations are those that `fitted` leaves, at their upper limit (two standard errors); each direction of
+        sensing counts by its share of what the term does to the readings.
+        """
+        p, modelled = self.problem, self.modelled
+        size = (fitted.white(p.columns_of([c]) @ c.coefficients)) ** 2
+        drifting = {}
+        for k, phi in correlation(fitted, p.readings, self.settings).items():
+            if modelled.get(k) != self.memory.get(k):
+                count = max(int(np.count_nonzero((p.readings.kind == k) & (fitted.weight > 0))), 1)
+                drifting[k] = duration(min(phi + 2 * np.sqrt((1 - phi**2) / count), CERTAIN_DRIFT)) - 1
+        total = max(float(size.sum()), 1e-300)
+        return 1 + sum(more * float(size[p.readings.kind == k].sum()) / total for k, more in drifting.items())
 
     def heard(self, fitted: Fit) -> State:
         """The state with the memory of the noise taken from what a fit leaves."""
@@ -217,17 +259,19 @@ class State:
 
     @property
     def signs(self) -> np.ndarray:
-        """(permutations, rows of a scan) signs that turn whole short blocks: whitened rows do not remember."""
+        """(permutations, rows of a scan) signs that turn whole blocks: short ones, as whitened rows do not remember,
+        and long ones where what is left drifts.
+        """
         p = self.problem
-        block = p.blocks[False]
+        block = p.blocks[self.drifts]
         table = evidence.flips(block, p.permutations, p.seed)
         return table[:, block[p.readings.point][p.scan_rows]].astype(np.float32)
 
     # -- fits ------------------------------------------------------------------------------------------------------
     def fit_with(self, candidates) -> Fit:
-        """Robust fit of the declared model and candidates, under the memory of the noise."""
+        """Robust fit of the declared model and candidates, under the memory of the noise that is modelled."""
         p = self.problem
-        return fit(p.design, p.readings, p.columns_of(candidates), memory=self.memory)
+        return fit(p.design, p.readings, p.columns_of(candidates), memory=self.modelled)
 
     def rows(self, fitted: Fit) -> Rows:
         """The weighted rows of a fit and of its model."""

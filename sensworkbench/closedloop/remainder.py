@@ -16,7 +16,7 @@ from . import evidence
 from .acceptance import judge
 from .design import ALL_SYMBOLS
 from .freeform import FreeScan
-from .noise import slow_drift
+from .noise import duration, slow_drift
 from .problem import State, Step
 from .search import ScoredTerm, surface_candidate
 from .surface import Surface, locate, separable, sharpen
@@ -90,6 +90,10 @@ def rest(state: State) -> Rest:
         state, first = _relocated(state, model, first)
     smooth: list[ScoredTerm] = []
     found = first
+    if state.drifts:  # nothing smooth can be told from a drift, and none would predict
+        lasts = round(duration(max(state.memory.values())))
+        drift = slow_drift(state.fit_with(model), state.problem.readings, s)
+        return Rest(first, (), True, None, drift or lasts, dropped)
     for _ in range(3):
         if not (structured and found.structure is not None and found.p < s.alpha and found.size > 0.5 * s.floor):
             break

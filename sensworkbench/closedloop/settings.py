@@ -51,6 +51,8 @@ class TraceSettings:
     remembers: float = _setting(0.3, "correlation", "of successive residuals from which the noise is taken to remember")
     memory_least: float = _setting(0.2, "correlation", "of successive residuals in one direction; less is not modelled")
     memory_score: float = _setting(3.0, "standard errors", "that it must be above zero to be modelled")
+    differencing: float = _setting(0.9, "correlation", "of successive residuals up to which they are always whitened")
+    block_memory: float = _setting(0.25, SHARE, "of a long block that memory may last to be whitened; else it drifts")
     drift: float = _setting(0.05, SHARE, "of the readings: residuals alike over so many are a drift, and no noise")
     drift_score: float = _setting(4.0, "standard errors", "that their correlation must be above zero")
     short_blocks: int = _setting(30, COUNT, "blocks of readings where the noise does not remember")

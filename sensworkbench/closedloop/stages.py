@@ -71,7 +71,7 @@ def _next(state: State) -> tuple[State, Step | None]:
             continue
         if len(tried) == state.settings.tries:
             return state, None
-        step = judge(state, others, best)
+        step = judge(state, *_together(state, others, best))
         state = state.logged(
             f"{' '.join(best.key)} {best.shape.values}: gain {step.candidate.gain:.1f}, p {step.p:.4f}, "
             f"size {step.size:.2f}, held out {step.gain[0]:.1f} +- {step.gain[1]:.1f}"
@@ -91,6 +91,17 @@ def _next(state: State) -> tuple[State, Step | None]:
         else:
             state = _drop(state, step, Message("refused-small", size=step.size))
     return state, None
+
+
+def _together(state: State, others, best: ScoredTerm) -> tuple[list[ScoredTerm], ScoredTerm]:
+    """The others and `best` as they are judged: beside a drift at their best parameters together.
+
+    What is left, and how long it lasts, depends on them there.
+    """
+    if not state.drifts or not others:
+        return others, best
+    *beside, last = settle(replace(state, steps=(*state.steps, Step(best)))).candidates
+    return beside, last
 
 
 def _drop(state: State, step: Step, why: Message) -> State:

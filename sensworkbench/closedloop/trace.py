@@ -70,7 +70,7 @@ def trace(
     state = consistent(rescue(state, tell))
     state = polish(state)
     left = rest(state)
-    if left.structured:
+    if left.structured and not state.drifts:  # any surface of slow columns fits a drift
         whole = without_pieces(state)
         if whole is not state:
             state = polish(whole)

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Traces of a machine that stands still: slow columns beside a drift that nobody logged."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from sensworkbench.closedloop.readings import Readings
+from sensworkbench.closedloop.trace import trace
+from sensworkbench.core.joints import linear
+from sensworkbench.core.machine import Machine
+
+COUNT = 600
+
+
+def standing(seed: int, effect: float, phi: float):
+    """Readings along z at one place, every minute: `effect` mm per degree of a column beside noise of memory phi."""
+    rng = np.random.default_rng(seed)
+    joints = {k: linear(k, tuple(np.eye(3)[i]), (0.0, 0.0, 0.0), (-300.0, 300.0)) for i, k in enumerate("XYZ")}
+    t = 60.0 * np.arange(COUNT)
+    columns = {"t": t, "temp_a": 4 * np.sin(t / 2100) + 2 * np.sin(t / 730), "temp_b": 3 * (1 - np.exp(-t / 9000))}
+    noise = rng.normal(size=COUNT)
+    for i in range(1, COUNT):
+        noise[i] = phi * noise[i - 1] + np.sqrt(max(1 - phi**2, 1e-3)) * noise[i]
+    error = np.full((COUNT, 3), np.nan)
+    error[:, 2] = effect * columns["temp_a"] + 1e-3 * noise
+    machine = Machine("fixed spindle", ("X",), ("Y", "Z"), joints, (0.0, 0.0, 0.0))
+    return machine, Readings.from_vectors(np.zeros((COUNT, 3)), error, columns)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+@pytest.mark.parametrize("phi", [0.97, 1.0])
+def test_a_drift_beside_slow_columns_gets_no_name(seed, phi):
+    found = trace(*standing(seed, 0.0, phi), seed=seed)
+    assert found.effects == () and found.verdict != "explained"
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_temperature_is_named_beside_a_drift_and_what_is_left_is_said(seed):
+    found = trace(*standing(seed, 2e-3, 0.97), seed=seed)
+    assert {str(e.effect.driver) for e in found.effects} == {"temp_a"}
+    assert found.verdict == "partly_explained"
