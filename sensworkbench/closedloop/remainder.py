@@ -86,14 +86,14 @@ def rest(state: State) -> Rest:
     dropped = _still_there(state, model)
     refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
     structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped)
-    if structured:
-        state, first = _relocated(state, model, first)
-    smooth: list[ScoredTerm] = []
-    found = first
     if state.drifts:  # nothing smooth can be told from a drift, and none would predict
         lasts = round(duration(max(state.memory.values())))
         drift = slow_drift(state.fit_with(model), state.problem.readings, s)
         return Rest(first, (), True, None, drift or lasts, dropped)
+    if structured:
+        state, first = _relocated(state, model, first)
+    smooth: list[ScoredTerm] = []
+    found = first
     for _ in range(3):
         if not (structured and found.structure is not None and found.p < s.alpha and found.size > 0.5 * s.floor):
             break
