@@ -153,10 +153,10 @@ class _Report:
 
     def driver(self, driver: str) -> str:
         """`temp_column × y`; in words where nothing was logged."""
-        first, times, place = driver.partition("*")
-        if first != UNLOGGED:
+        if not driver.startswith(UNLOGGED):
             return driver_words(driver)
-        return self.words("tr-driver-unlogged") + (f" × {driver_words(place)}" if times else "")
+        place = [name for name in Driver.parse(driver).columns if name != UNLOGGED]
+        return " × ".join([self.words("tr-driver-unlogged"), *place])
 
     def parameter(self, key: str) -> str:
         """The name of an effect's parameter."""
