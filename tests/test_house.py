@@ -34,7 +34,7 @@ FREECAD = {
     "Sketcher",
 }
 WINDOW = {"FreeCADGui", "ImportGui", "PySide", "pivy"}
-EXTRAS = {"distributed"}  # `pip install sensworkbench[cluster]`: a verb may use it where it is
+EXTRAS = {"distributed"}  # `pip install sensworkbench[cluster]`: the command line may use it where it is
 OUTSIDE = {"numpy", "matplotlib", "scipy", "PySide", "pivy"} | FREECAD
 OPTIONAL = {"matplotlib", "scipy"}  # come with FreeCAD, may be missing under plain Python
 FORBIDDEN = {
@@ -157,7 +157,7 @@ def unknown_imports(text: str, package: str):
     """What a user of FreeCAD does not have: anything but the standard library, numpy and FreeCAD's own."""
     for target, line, guarded in imported(text, package):
         top = target.split(".")[0]
-        if top in EXTRAS and guarded and package == "sensworkbench.cli.verbs":
+        if top in EXTRAS and guarded and package == "sensworkbench.cli":
             continue
         if top in OPTIONAL and not guarded:
             yield line, f"{top} is imported where it may be missing"

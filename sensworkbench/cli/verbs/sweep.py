@@ -3,62 +3,29 @@
 
 from __future__ import annotations
 
-import contextlib
 import csv
 import io
 from pathlib import Path
 
-from sensworkbench.core.refusal import Refused
-
-from .. import common
+from .. import common, executors
 
 HELP = "one machine in many variants, in one table"
 FILES = "`results.csv`"
-MOST_WORKERS = 256
 
 
 def add(parser) -> None:
     parser.add_argument("spec", metavar="SPEC.json", help="machine, parameters, design and outputs")
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for results.csv")
-    text = "processes that judge variants (default 1)"
-    parser.add_argument("--workers", metavar="N", type=common.whole, default=1, help=text)
-    text = "judge on a Dask cluster instead (needs sensworkbench[cluster])"
-    parser.add_argument("--scheduler", metavar="ADDRESS", help=text)
+    executors.add_workers(parser, "judge variants")
     text = "go on where an interrupted run of the same sweep in DIR ended"
     parser.add_argument("--resume", action="store_true", help=text)
-
-
-@contextlib.contextmanager
-def _executor(arguments):
-    """(executor or None, number of workers)."""
-    if arguments.scheduler:
-        try:
-            from distributed import Client
-        except ImportError:
-            raise Refused("cluster-missing", "--scheduler") from None
-        try:
-            client = Client(arguments.scheduler, timeout="10s")
-        except (OSError, ValueError):
-            raise Refused("cluster-silent", "--scheduler", address=arguments.scheduler[:80]) from None
-        with client:
-            yield client.get_executor(pure=False), max(1, len(client.scheduler_info()["workers"]))
-    elif arguments.workers > 1:
-        import multiprocessing
-        from concurrent.futures import ProcessPoolExecutor
-
-        context = multiprocessing.get_context("spawn")
-        with ProcessPoolExecutor(arguments.workers, mp_context=context) as pool:
-            yield pool, arguments.workers
-    else:
-        yield None, 1
 
 
 def run(arguments) -> int:
     from sensworkbench.formats import study_files, sweep_files
     from sensworkbench.studies.sweep import run_sweep
 
-    if not 1 <= arguments.workers <= MOST_WORKERS:
-        raise Refused("sweep-workers", "--workers", count=arguments.workers, most=MOST_WORKERS)
+    executors.check_workers(arguments)
     sweep = sweep_files.load(arguments.spec)
     folder = Path(arguments.out)
     common.keep_inputs(folder / sweep_files.RESULTS, arguments.spec)
@@ -68,7 +35,7 @@ def run(arguments) -> int:
     refused = sum(1 for row in done if next(csv.reader([row]))[-1])
     with partial.open("w", encoding="utf-8", newline="\n") as stream:
         stream.write(f"# {sweep_files.identity(sweep)}\n" + "".join(done))
-        with _executor(arguments) as (executor, workers):
+        with executors.executor(arguments) as (executor, workers):
             rows = run_sweep(sweep, sweep_files.machine_of, executor, workers, len(done))
             for number, values, outputs, words in rows:
                 stream.write(sweep_files.line(sweep, number, values, outputs, words))
