@@ -160,7 +160,7 @@ def run(job) -> dict:
 
 def as_answer(result) -> dict:
     """The result as trace.json holds it."""
-    return trace_json.attached(trace_json.to_dict(result))
+    return trace_json.to_dict(result)
 
 
 def predict_at(result, positions) -> np.ndarray:

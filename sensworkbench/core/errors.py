@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..messages import Refused
+from ..messages import Message, Refused
 from . import units
 from .joints import AXIS_ORIENTATION, AXIS_POSITION, LINEAR, SQUARENESS
 
@@ -21,14 +21,6 @@ BODIES = (*AXES, *ENDS)
 TRANSLATION, ROTATION = "translation", "rotation"
 LINE_KINDS = (SQUARENESS, AXIS_POSITION, AXIS_ORIENTATION)
 
-BODY_NAMES = {
-    "X": "X carriage",
-    "Y": "Y carriage",
-    "Z": "Z carriage",
-    "T": "spindle and tool",
-    "W": "workpiece and fixture",
-}
-
 
 @dataclass(frozen=True)
 class Component:
@@ -36,8 +28,8 @@ class Component:
 
     symbol : ISO name (`EAX`, `C0Y`, `X0C`).  body : name of the joint, or T, W.  kind : translation, rotation, or an
     error of the axis line: squareness, axis position, axis orientation.  axis : 0, 1, 2 - the machine axis along or
-    about which it moves.  along : the machine axis nearest to the joint's direction (-1 for T and W).  to : for a
-    squareness, the axis to which it is measured.  alias : the paper's name ("" where it has none).
+    about which it moves.  along : the machine axis nearest to the joint's direction (-1 for T and W).  alias : the
+    paper's name ("" where it has none).
     """
 
     symbol: str
@@ -75,22 +67,21 @@ class Component:
         return value * units.factor(unit, angular=self.angular, where=where)
 
     @property
-    def description(self) -> str:
-        """What it is, in English."""
-        along = AXES[self.axis]
+    def title(self) -> Message:
+        """What it is: `straightness of X along Y`."""
+        fields = {"body": self.body, "axis": AXES[self.axis]}
         if self.kind == SQUARENESS:
-            return f"squareness of {self.body} to {square_to(self)}"
+            return Message("error-squareness", body=self.body, other=square_to(self))
         if self.line:
-            return f"{self.kind} of {self.body} {'about' if self.angular else 'along'} {along}"
+            return Message("error-axis-orientation" if self.angular else "error-axis-position", **fields)
         if self.body == "W":
-            return f"workpiece {'rotation about' if self.angular else 'shift along'} {along}"
+            return Message("error-workpiece-rotation" if self.angular else "error-workpiece-shift", axis=fields["axis"])
         if self.body == "T":
-            return f"spindle {'tilt about' if self.angular else 'shift along'} {along}"
+            return Message("error-spindle-tilt" if self.angular else "error-spindle-shift", axis=fields["axis"])
         own = self.axis == self.along
-        if self.angular:
-            # roll is about the direction of travel; the others are pitch and yaw of the carriage
-            return f"{'roll' if own else 'tilt'} of {self.body} about {along}"
-        return f"positioning of {self.body}" if own else f"straightness of {self.body} along {along}"
+        if self.angular:  # roll is about the direction of travel; the others are pitch and yaw of the carriage
+            return Message("error-roll" if own else "error-tilt", **fields)
+        return Message("error-positioning", body=self.body) if own else Message("error-straightness", **fields)
 
 
 def square_to(c: Component) -> str:

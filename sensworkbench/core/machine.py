@@ -18,9 +18,10 @@ from functools import cached_property
 
 import numpy as np
 
+from ..messages import Message
 from .distributions import Tolerance, paper_tolerance_of
 from .effects import Effect
-from .errors import AXES, BODY_NAMES, ENDS, Component, components_of, find
+from .errors import AXES, ENDS, Component, components_of, find
 from .fitted import FittedModel
 from .joints import Joint, Pose, identity, vector
 from .refusal import Refused
@@ -131,12 +132,15 @@ class Machine:
         """The joint of that name; KeyError where there is none."""
         return self.axes[name]
 
-    def body_name(self, body: str) -> str:
-        """What a body is called, in English."""
-        known = BODY_NAMES.get(body)
-        if known is None or (body not in ENDS and not self.axes[body].slides):
-            return f"{body} {'carriage' if self.axes[body].slides else 'rotary axis'}"
-        return known
+    def body_title(self, body: str) -> Message:
+        """What a body, or the name of a source, is called: `X carriage`."""
+        if body == "T":
+            return Message("body-tool")
+        if body == "W":
+            return Message("body-workpiece")
+        if body not in self.names:
+            return Message("body-source", name=body)
+        return Message("body-carriage" if self.joint(body).slides else "body-rotary", name=body)
 
     @property
     def structure(self) -> str:

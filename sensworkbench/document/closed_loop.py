@@ -224,13 +224,6 @@ def report_of(obj) -> dict:
     return json.loads(obj.Report)
 
 
-def told(obj) -> dict:
-    """trace.json of a Trace object with the message of each sentence beside it (see `formats.trace_json`)."""
-    from ..formats import trace_json
-
-    return trace_json.attached(report_of(obj))
-
-
 def augmented(obj):
     """The core machine with fitted errors and traced effects, as it was when it was traced."""
     from ..formats import machine_json

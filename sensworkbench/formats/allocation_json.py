@@ -11,7 +11,7 @@ from sensworkbench import __version__
 from sensworkbench.studies.allocation import AllocationResult
 
 from . import html, json_text, machine_json, tolerances
-from .words import Words, error_message
+from .words import Words
 
 FORMAT, VERSION = "sens-allocation", 1
 
@@ -69,7 +69,7 @@ def report(result: AllocationResult, language: str = "en") -> str:
     rows = [
         (
             e["symbol"],
-            words.of(error_message(machine.component(e["symbol"]))),
+            words.of(machine.component(e["symbol"]).title),
             f"±{e['half_width_before']:.4g} {_unit(e)}",
             f"±{e['half_width_after']:.4g} {_unit(e)}",
             e["grade"] or "–",

@@ -26,7 +26,7 @@ from . import column_names, csv_table, readings_csv
 from .column_names import DIRECTION, ERROR, NORMAL, POSITION, TOOL
 from .files import neutral
 from .plan_html import number_words
-from .trace_json import said, said_all
+from .trace_json import remark, said, said_all
 
 _UNITS = {"K": "C", "mm/min": "mm_min"}
 
@@ -141,15 +141,8 @@ def to_dict(checked: PlanResult) -> dict:
             }
             for a in checked.advice
         ],
-        "findings": [
-            {"severity": f.severity, "code": f.code, **_remark(f.message), "line": f.line}
-            for f in plan.readings.findings
-        ],
+        "findings": [remark(f.severity, f.code, f.message, f.line) for f in plan.readings.findings],
     }
-
-
-def _remark(message: Message | str) -> dict:
-    return said("message", message) if isinstance(message, Message) else {"message": message}
 
 
 def _entry(entry, found: list[PlannedTerm]) -> dict:

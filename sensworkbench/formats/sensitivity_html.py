@@ -16,7 +16,7 @@ from sensworkbench.studies.sensitivity import SensitivityResult, kind_message
 
 from . import charts, html, sensitivity_json
 from .html import Html
-from .words import UNIT_SHOWN, Words, body_message, error_message, minus, position_text
+from .words import UNIT_SHOWN, Words, minus, position_text
 
 _ORDINARY_SKEW_DEG = 1e-6
 
@@ -40,7 +40,7 @@ class _Report:
         self.study, self.words = study, words
         self.machine: Machine = study.machine
         self.data = sensitivity_json.to_dict(study, angle_unit)
-        self.columns = {row["symbol"]: row["column"] for row in sensitivity_json.limits(study.machine, angle_unit)}
+        self.titles = {row["symbol"]: row["title"] for row in sensitivity_json.limits(study.machine, angle_unit)}
 
     def page(self, picture: bytes | None) -> str:
         words, data = self.words, self.data
@@ -73,16 +73,10 @@ class _Report:
 
     def error(self, symbol: str) -> str:
         """What an error of the table is."""
-        column = self.columns[symbol]
-        if not column:
-            factors = next(s.factors for s in self.machine.sources if s.name == symbol)
-            return self.words("error-source", symbols=list(factors))
-        if column != symbol:
-            return self.words("error-traced", symbol=column)
-        return self.words.of(error_message(self.machine.component(column)))
+        return self.words.of(self.titles[symbol])
 
     def body(self, body: str) -> str:
-        return self.words.of(body_message(self.machine, body))
+        return self.words.of(self.machine.body_title(body))
 
     def tolerance(self, row: dict, law: bool = True) -> str:
         """`±20 µrad` or `−1 … 3 µm`, with the distribution where it is not uniform."""

@@ -15,6 +15,8 @@ from sensworkbench.core.workspace import Sensitivity, error_table
 from sensworkbench.messages import Message
 from sensworkbench.studies.sensitivity import Convention, SensitivityResult, ranking
 
+from .trace_json import said
+
 FORMAT, VERSION = "sens-sensitivity", 1
 
 CONVENTIONS = {
@@ -49,7 +51,7 @@ def moments_shown(result: Sensitivity) -> dict:
 
 
 def limits(machine: Machine, angle_unit: str = "urad") -> list[dict]:
-    """Per error of the table: unit, lower, upper, distribution, description and the ISO column it uses."""
+    """Per error of the table: unit, lower, upper, distribution, title (a message) and the ISO column it uses."""
     if angle_unit not in ("urad", "arcsec"):
         factor(angle_unit, angular=True, where="angle unit")
     out = []
@@ -58,10 +60,10 @@ def limits(machine: Machine, angle_unit: str = "urad") -> list[dict]:
             c = machine.component(column)
             unit = angle_unit if c.angular else "um"
             scale = factor(unit, angular=c.angular)
-            words = c.description if label == column else f"traced effect on {column}"
+            title = c.title if label == column else Message("error-traced", symbol=column)
         else:  # a source is a pure number
             followers = next(s.factors for s in machine.sources if s.name == label)
-            unit, scale, words = "1", 1.0, f"common source of {', '.join(followers)}"
+            unit, scale, title = "1", 1.0, Message("error-source", symbols=list(followers))
         out.append(
             {
                 "symbol": label,
@@ -71,7 +73,7 @@ def limits(machine: Machine, angle_unit: str = "urad") -> list[dict]:
                 "upper": tidy(law.upper / scale),
                 "distribution": law.distribution,
                 "owner": owner,
-                "description": words,
+                "title": title,
                 "sigma": None if law.sigma is None else tidy(law.sigma / scale),
             }
         )
@@ -89,9 +91,10 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
     table = limits(machine, angle_unit)
     errors = []
     for i in ranking(result):
-        row = {k: v for k, v in table[i].items() if k not in ("column", "sigma")}
+        row = {k: v for k, v in table[i].items() if k not in ("column", "sigma", "title")}
         errors.append(
             row
+            | said("description", table[i]["title"])
             | {
                 "first": float(result.first[i]),
                 "total": float(result.total[i]),
@@ -104,7 +107,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
     components = [
         {
             "body": b,
-            "name": machine.body_name(b) if b in machine.bodies else f"common source {b}",
+            **said("name", machine.body_title(b)),
             "first": float(result.component_first[i]),
             "total": float(result.component_total[i]),
             "share": float(result.component_share[i]),
@@ -168,6 +171,7 @@ def _convention(name: str, c: Convention) -> dict:
         "largest": [found.symbols[i] for i in ranking(found)[:6]],
         "kinds": {kind: {"first": share.first, "total": share.total} for kind, share in c.kinds.items()},
         "finding": " ".join(m.text() for m in c.finding),
+        "finding_messages": [m.to_dict() for m in c.finding],
     }
 
 

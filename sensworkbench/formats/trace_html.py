@@ -21,21 +21,13 @@ from sensworkbench.studies.trace import component_values, point_vectors
 
 from . import charts, html, trace_json
 from .html import Html
-from .words import Words, error_message
+from .trace_json import VERDICTS
+from .words import Words
 
 STAGES = {
     "uncorrected": Message("tr-stage-uncorrected"),
     "declared": Message("tr-stage-declared"),
     "augmented": Message("tr-stage-augmented"),
-}
-VERDICTS = {  # verdict -> its title and its sentence
-    "nothing_to_explain": (
-        Message("tr-verdict-nothing-to-explain"),
-        Message("tr-verdict-nothing-to-explain-words"),
-    ),
-    "explained": (Message("tr-verdict-explained"), Message("tr-verdict-explained-words")),
-    "partly_explained": (Message("tr-verdict-partly-explained"), Message("tr-verdict-partly-explained-words")),
-    "unexplained": (Message("tr-verdict-unexplained"), Message("tr-verdict-unexplained-words")),
 }
 PARAMETERS = {  # key of an effect's parameter in trace.json -> what it is
     "coefficient": Message("tr-parameter-coefficient"),
@@ -102,11 +94,11 @@ def trace_report(data: Mapping, outcome=None, language: str = "en") -> str:
     outcome : the `TraceEvidence` that its pictures are drawn from, or None.  language : of the words; a sentence of the
     data that has no code stays as it is.
     """
-    return _Report(trace_json.attached(data), outcome, Words(language)).page()
+    return _Report(data, outcome, Words(language)).page()
 
 
 class _Report:
-    """The sections of one page.  data : of trace.json, messages attached.  words : the language."""
+    """The sections of one page.  data : of trace.json.  words : the language."""
 
     def __init__(self, data: Mapping, outcome, words: Words):
         self.data, self.outcome, self.words = data, outcome, words
@@ -202,7 +194,7 @@ class _Report:
         parts = []
         for number, e in enumerate(data["effects"], start=1):
             symbol = e["component"]
-            what = words.of(error_message(COMPONENTS[symbol])) if symbol in COMPONENTS else symbol
+            what = words.of(COMPONENTS[symbol].title) if symbol in COMPONENTS else symbol
             pairs = [
                 (words("tr-component"), f"{symbol}, {what}"),
                 (words("tr-driver"), self.driver(e["driver"])),
@@ -315,6 +307,8 @@ class _Report:
             listed = [words("tr-depends-on-item", column=d["column"], p=self.p(d["p"])) for d in data["depends_on"]]
             pairs.append((words("tr-depends-on"), ", ".join(listed)))
         parts = [html.facts(pairs)]
+        if noise.get("remarks"):
+            parts.append(_bullets(self.all_said(noise, "remarks")))
         if data.get("refused_names"):
             heads = self.heads(words("tr-column-why-unnamed"))
             parts.append(html.table(heads, self.rows(data["refused_names"]), words("tr-unnamed")))
@@ -382,6 +376,15 @@ class _Report:
         for code in dict.fromkeys(codes):
             yield _bullets(s for s, own in zip(sentences, codes) if own == code)
 
+    def guarantee(self, entry: Mapping) -> str:
+        """How often a name is given to nothing, and under which conditions."""
+        by = [
+            self.words(f"tr-guarantee-{b['exchange']}{'-all' if b['exact'] else ''}", count=b["number"])
+            for b in entry["by"]
+        ]
+        conditions = "; ".join(self.all_said(entry, "conditions"))
+        return f"{self.words('tr-guarantee', rate=entry['rate'], by=by)} {conditions}."
+
     def limits(self) -> Html:
         words, data = self.words, self.data
         known = data["identifiability"]
@@ -391,6 +394,8 @@ class _Report:
         if data["not_testable"]:
             rows = [(self.said(t, "effect"), t["needs"]) for t in data["not_testable"]]
             parts.append(html.table([words("tr-column-not-testable"), words("tr-column-needs")], rows))
+        if data.get("guarantee"):
+            parts.append(html.paragraph(self.guarantee(data["guarantee"])))
         if data["not_identifiable"]:
             parts += [html.element("h3", words("tr-hidden")), _bullets(self.all_said(data, "not_identifiable"))]
         return html.section(words("tr-limits"), *parts)

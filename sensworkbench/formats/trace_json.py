@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """trace.json of a `closedloop.result.TraceResult`: um and urad, sentences in English with their codes.
 
-A sentence stands as text where it always stood; its code and fields stand under "messages" with the path of the text,
-such as "effects[0].rivals[1].why".  `attached` puts them beside their texts, as `<key>_message` or, for a list,
-`<key>_messages`; files without codes are shown as they are.
+A sentence is the text under its key; its code and fields are beside it, under `<key>_message`, or for a list of texts
+under `<key>_messages`.  Texts without codes, as 0.1.0 wrote them, are shown as they are.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Mapping
 
 from sensworkbench.closedloop.result import (
@@ -21,8 +19,18 @@ from sensworkbench.closedloop.result import (
 from sensworkbench.core.effects import shown
 from sensworkbench.core.errors import component
 from sensworkbench.messages import Message
+from sensworkbench.messages.tables import known
 
 FORMAT, VERSION = "sens-trace", 1
+VERDICTS = {  # verdict -> its title and its sentence
+    "nothing_to_explain": (
+        Message("tr-verdict-nothing-to-explain"),
+        Message("tr-verdict-nothing-to-explain-words"),
+    ),
+    "explained": (Message("tr-verdict-explained"), Message("tr-verdict-explained-words")),
+    "partly_explained": (Message("tr-verdict-partly-explained"), Message("tr-verdict-partly-explained-words")),
+    "unexplained": (Message("tr-verdict-unexplained"), Message("tr-verdict-unexplained-words")),
+}
 
 
 # -- sentences ---------------------------------------------------------------------------------------------------------
@@ -38,6 +46,12 @@ def said_all(key: str, messages) -> dict:
     return {key: [str(m) for m in messages], f"{key}_messages": [m.to_dict() for m in messages]}
 
 
+def remark(severity: str, code: str, message: Message | str, line: int) -> dict:
+    """A remark on the readings: `code` names its kind.  line : of the table, 0 for all of it."""
+    words = said("message", message) if isinstance(message, Message) else {"message": message}
+    return {"severity": severity, "code": code, **words, "line": line}
+
+
 def message(data: Mapping) -> Message:
     """The message of its plain data, messages within it too.  Raises KeyError where there is no code."""
     fields = {k: _restored(v) for k, v in data.items() if k not in ("code", "text")}
@@ -51,73 +65,32 @@ def _restored(value):
 
 
 def text(data: Mapping, key: str, language: str = "en") -> str:
-    """The sentence under `key` in a language; as it stands where it has no code ("" where it is not there)."""
-    found = data.get(f"{key}_message")
-    return data.get(key) or "" if not found else message(found).text(language)
+    """The sentence under `key` in a language; as it stands where its code is not known ("" where it is not there)."""
+    return _spoken(data.get(f"{key}_message"), data.get(key) or "", language)
 
 
 def texts(data: Mapping, key: str, language: str = "en") -> list[str]:
-    """The sentences under `key` in a language; as they stand where they have no codes."""
+    """The sentences under `key` in a language; as they stand where their codes are not known."""
     found = data.get(f"{key}_messages")
-    return list(data.get(key, ())) if found is None else [message(m).text(language) for m in found]
+    if found is None:
+        return list(data.get(key, ()))
+    return [_spoken(m, m.get("text", ""), language) for m in found]
+
+
+def _spoken(entry: Mapping | None, text: str, language: str) -> str:
+    """The message of its plain data in a language; `text` where there is none, or one of a later version."""
+    return message(entry).text(language) if entry and known(entry.get("code", "")) else text
 
 
 # -- the file ----------------------------------------------------------------------------------------------------------
 def to_dict(result: TraceResult) -> dict:
     """The result as plain data, as it stands in trace.json."""
-    messages: dict[str, dict] = {}
-    data = _detached(_plain(result), "", messages)
-    return data | {"messages": messages}
-
-
-def _detached(value, path: str, messages: dict):
-    """`value` without the messages in it, which go to `messages` by their path."""
-    if isinstance(value, list):
-        return [_detached(v, f"{path}[{i}]", messages) for i, v in enumerate(value)]
-    if not isinstance(value, dict):
-        return value
-    out = {}
-    for key, entry in value.items():
-        at = f"{path}.{key}" if path else key
-        if key.endswith("_message"):
-            messages[at[: -len("_message")]] = entry
-        elif key.endswith("_messages"):
-            messages.update({f"{at[: -len('_messages')]}[{i}]": m for i, m in enumerate(entry)})
-        else:
-            out[key] = _detached(entry, at, messages)
-    return out
-
-
-def attached(data: Mapping) -> dict:
-    """The data of trace.json with each message beside its text; as they are where there are no messages."""
-    messages = data.get("messages", {})
-    return _attached({k: v for k, v in data.items() if k != "messages"}, "", messages)
-
-
-def _attached(value, path: str, messages: Mapping):
-    if isinstance(value, list):
-        return [_attached(v, f"{path}[{i}]", messages) for i, v in enumerate(value)]
-    if not isinstance(value, Mapping):
-        return value
-    out = {}
-    for key, entry in value.items():
-        at = f"{path}.{key}" if path else key
-        out[key] = _attached(entry, at, messages)
-        if at in messages:
-            out[f"{key}_message"] = messages[at]
-        elif f"{at}[0]" in messages:
-            found = (messages.get(f"{at}[{i}]") for i in range(len(messages)))
-            out[f"{key}_messages"] = list(itertools.takewhile(lambda m: m is not None, found))
-    return out
-
-
-def _plain(result: TraceResult) -> dict:
-    """The result with the messages beside their texts."""
-    known = result.identifiability
+    declared = result.identifiability
     return {
         "format": FORMAT,
         "version": VERSION,
         "verdict": result.verdict,
+        "verdict_message": VERDICTS[result.verdict][1].to_dict(),
         "floor": result.floor,
         "seed": result.seed,
         "permutations": result.permutations,
@@ -131,10 +104,10 @@ def _plain(result: TraceResult) -> dict:
         "error": {name: _stage(e) for name, e in result.error.items()} | said("note", Message("error-note")),
         "noise": _noise(result.noise),
         "identifiability": {
-            "columns": known.columns,
-            "rank": known.rank,
-            "condition": known.condition,
-            **said_all("null_space", known.null_space),
+            "columns": declared.columns,
+            "rank": declared.rank,
+            "condition": declared.condition,
+            **said_all("null_space", declared.null_space),
         },
         "depends_on": [{"column": c, "p": p} for c, p in result.depends_on],
         "not_testable": [{**said("effect", e), "needs": needs} for e, needs in result.not_testable],
@@ -157,12 +130,8 @@ def _plain(result: TraceResult) -> dict:
         ],
         "remainder": _left(result.left),
         "outliers": [{"line": o.line, "position_mm": list(o.position)} for o in result.outliers],
-        "findings": [
-            {"severity": f.severity, "code": f.code, "message": f.text(), "line": f.line}
-            | (said("message", f.message) if isinstance(f.message, Message) else {})
-            for f in result.readings.findings
-        ]
-        + [{"severity": "warning"} | said("message", m) | {"line": 0} | m.to_dict() for m in result.remarks],
+        "findings": [remark(f.severity, f.code, f.message, f.line) for f in result.readings.findings]
+        + [remark("warning", m.code, m, 0) for m in result.remarks],
     }
 
 

@@ -276,7 +276,7 @@ class TaskTrace(Panel):
                 words = translate("Sens", "Not traced yet.")
                 self.pages[name].show_page(lambda page, words=words: trace_pages.paragraph(words))
             return
-        outcome, report = None, closed_loop.told(trace)
+        outcome, report = None, closed_loop.report_of(trace)
         try:
             outcome = closed_loop.evidence_of(trace)
         except Refused as error:

@@ -70,8 +70,8 @@ def test_an_effect_in_trace_json(report):
         assert coefficient["unit"] in ("um", "urad") and 0 < coefficient["u"] < abs(coefficient["value"])
         assert effect["rivals"]
         for rival in effect["rivals"]:
-            assert set(rival) == {"component", "driver", "shape", "why"}
-            assert all(isinstance(v, str) and v for v in rival.values())
+            assert set(rival) == {"component", "driver", "shape", "why", "why_message"}
+            assert all(isinstance(v, str) and v for k, v in rival.items() if k != "why_message")
 
 
 def test_the_errors_before_and_after_in_trace_json(report):
@@ -87,11 +87,11 @@ def test_the_rest_of_trace_json(report):
     assert isinstance(known["columns"], int) and isinstance(known["rank"], int) and known["rank"] < known["columns"]
     assert known["null_space"] and all(isinstance(w, str) for w in known["null_space"])
     assert report["depends_on"] and all(set(d) == {"column", "p"} for d in report["depends_on"])
-    assert all(set(e) == {"effect", "needs"} for e in report["not_testable"])
+    assert all(set(e) == {"effect", "effect_message", "needs"} for e in report["not_testable"])
     assert all(isinstance(w, str) for w in report["not_identifiable"])
     assert report["next_measurements"]
     for entry in report["next_measurements"]:
-        assert set(entry) == {"separates", "do", "predicted_difference_um"}
+        assert set(entry) == {"separates", "separates_messages", "do", "do_message", "predicted_difference_um"}
         assert len(entry["separates"]) >= 1 and entry["do"] and number(entry["predicted_difference_um"])
     assert isinstance(report["sensitivity_shift"], list)
 

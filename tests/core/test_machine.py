@@ -133,11 +133,11 @@ def test_unknown_errors_are_refused_by_name(symbol):
 
 
 def test_descriptions_tell_all_errors_apart():
-    texts = {c.description for c in COMPONENTS.values()}
+    texts = {str(c.title) for c in COMPONENTS.values()}
     assert len(texts) == len(COMPONENTS)
-    assert component("EAX").description == "roll of X about X"
-    assert component("EYX").description == "straightness of X along Y"
-    assert component("A0Z").description == "squareness of Z to Y"
+    assert str(component("EAX").title) == "roll of X about X"
+    assert str(component("EYX").title) == "straightness of X along Y"
+    assert str(component("A0Z").title) == "squareness of Z to Y"
 
 
 # -- units --------------------------------------------------------------

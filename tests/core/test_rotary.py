@@ -160,10 +160,8 @@ def test_line_errors_have_the_names_of_iso_230_7():
     m = machine(*LAYOUTS["table-table"])
     assert {"X0C", "Y0C", "A0C", "B0C", "Y0A", "Z0A", "B0A", "C0A", "C0Y", "A0Z", "B0Z"} == set(m.line_symbols)
     assert len(m.components) == 6 * 7 + 3 + 8
-    assert m.component("E_X0C").description == "axis position of C along X"
-    assert (
-        m.component("EAC").description == "tilt of C about X" and m.component("ECC").description == "roll of C about Z"
-    )
+    assert str(m.component("E_X0C").title) == "axis position of C along X"
+    assert str(m.component("EAC").title) == "tilt of C about X" and str(m.component("ECC").title) == "roll of C about Z"
     assert (m.component("X0C").unit, m.component("A0C").unit) == ("um", "urad")
 
 
@@ -183,7 +181,7 @@ def test_the_frame_follows_the_letters_of_the_joints_that_define_it():
     assert_allclose(lathe.directions["Z"], (0, 0, 1), atol=1e-15)
     assert np.linalg.det(lathe.frame) == pytest.approx(1)
     assert lathe.line_symbols == ("B0Z",) and lathe.structure == "FZX"
-    assert [c.description for c in lathe.components if c.symbol in ("EXX", "EZZ")] == [
+    assert [str(c.title) for c in lathe.components if c.symbol in ("EXX", "EZZ")] == [
         "positioning of X", "positioning of Z",
     ]  # fmt: skip
 

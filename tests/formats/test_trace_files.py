@@ -15,7 +15,7 @@ from sensworkbench import cli, demo
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.shapes import SHAPES
 from sensworkbench.core.synthesis import exact_error
-from sensworkbench.formats import machine_json, readings_csv, study_files, trace_html
+from sensworkbench.formats import machine_json, readings_csv, study_files, trace_html, trace_json
 from sensworkbench.messages import LANGUAGES, Message
 from sensworkbench.studies.trace import component_values
 
@@ -233,27 +233,22 @@ SPOKEN = ("h1", "h2", "h3", "p", "th", "dt", "caption", "figcaption", "footer", 
 
 def with_everything(data: dict) -> dict:
     """The data of a trace with an entry in each part of the page, sentences with their messages."""
-    said = data["messages"]
-
-    def say(path, message):
-        said[path] = message.to_dict()
-        return str(message)
-
+    said = trace_json.said
     data["effects"][0]["rivals"] = [
         {
             "component": "EXX",
             "driver": "temp_column*y",
             "shape": "lag",
-            "why": say("effects[0].rivals[0].why", Message("rival-as-much", loss=1.5)),
+            **said("why", Message("rival-as-much", loss=1.5)),
         }
     ]
     hidden = {
-        "name": say("effects[1].name", Message("hidden-motion-along", component="EXX", place="y")),
+        **said("name", Message("hidden-motion-along", component="EXX", place="y")),
         "component": "EXX",
         "driver": "unlogged*y",
         "shape": "random",
         "parameters": {"rms": {"value": 1.0, "unit": "um/mm"}},
-        "note": say("effects[1].note", Message("finding-aliased", periods=[10.0, 20.0])),
+        **said("note", Message("finding-aliased", periods=[10.0, 20.0])),
         "rivals": [],
     }
     data["effects"].append(data["effects"][0] | hidden)
@@ -263,14 +258,14 @@ def with_everything(data: dict) -> dict:
             "component": "EYY",
             "driver": "t",
             "shape": "step",
-            "why": say("refused_names[0].why", Message("refused-beside-others")),
+            **said("why", Message("refused-beside-others")),
         }
     ]
     columns = ["temp_column", "t"]
     data["next_measurements"] = [
         {
-            "separates": [say("next_measurements[0].separates[0]", Message("next-through", columns=columns))],
-            "do": say("next_measurements[0].do", Message("next-vary", columns=columns)),
+            **trace_json.said_all("separates", [Message("next-through", columns=columns)]),
+            **said("do", Message("next-vary", columns=columns)),
             "predicted_difference_um": 2.0,
         }
     ]
@@ -324,10 +319,68 @@ def test_a_language_that_is_not_known_is_refused(traced, tmp_path, capsys):
     assert not (tmp_path / "o").exists()
 
 
+def without_messages(data):
+    """The data as version 0.1.0 wrote them: texts alone."""
+    if isinstance(data, list):
+        return [without_messages(v) for v in data]
+    if not isinstance(data, dict):
+        return data
+    return {k: without_messages(v) for k, v in data.items() if not k.endswith(("_message", "_messages"))}
+
+
+def texts_without_code(data, path=""):
+    """The paths of the sentences (texts of more than two words) that no code stands beside."""
+    if isinstance(data, list):
+        return [p for i, v in enumerate(data) for p in texts_without_code(v, f"{path}[{i}]")]
+    found = []
+    for key, value in data.items() if isinstance(data, dict) else ():
+        at = f"{path}.{key}"
+        if key.endswith(("_message", "_messages")):
+            continue
+        texts = [v for v in (value if isinstance(value, list) else [value]) if isinstance(v, str) and v.count(" ") > 1]
+        if texts and f"{key}_message" not in data and f"{key}_messages" not in data:
+            found.append(at)
+        found += texts_without_code(value, at)
+    return found
+
+
+def test_a_code_with_its_fields_is_beside_every_sentence_of_trace_json(traced):
+    folder, _ = traced
+    data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
+    assert {p.rpartition(".")[2] for p in texts_without_code(data)} <= {"needs", "symbol"}  # names
+    assert str(trace_json.message(data["verdict_message"])) == str(trace_html.VERDICTS[data["verdict"]][1])
+    effect = data["effects"][0]
+    assert effect["name_message"]["code"] == "effect-named" and effect["name_message"]["text"] == effect["name"]
+    assert trace_json.message(effect["check_message"]).text("de") != effect["check"] == effect["check_message"]["text"]
+    conditions = data["guarantee"]["conditions_messages"]
+    assert [m["text"] for m in conditions] == data["guarantee"]["conditions"]
+    assert next(m for m in conditions if m["code"] == "guarantee-blocks")["count"] > 1
+
+
+def test_a_code_that_is_not_known_leaves_the_text_as_it_is():
+    data = {"why": "so", "why_message": {"code": "of-a-later-version", "text": "so"}, "all": ["a"],
+            "all_messages": [{"code": "of-a-later-version", "text": "a"}]}  # fmt: skip
+    assert trace_json.text(data, "why", "de") == "so" and trace_json.texts(data, "all", "ko") == ["a"]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_report_states_the_guarantee_and_the_remarks_on_noise(traced, language):
+    folder, _ = traced
+    data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
+    remark = Message("noise-remembers", direction="x", correlation=0.41)
+    data["noise"] |= trace_json.said_all("remarks", [remark])
+    data["guarantee"]["by"].append({"exchange": "runs", "number": 6, "exact": True})
+    page = " ".join("".join(ElementTree.fromstring(trace_html.trace_report(data, language=language)
+                                                   .removeprefix("<!DOCTYPE html>\n")).itertext()).split())  # fmt: skip
+    exchanges = Message("tr-guarantee-runs-all", count=6).text(language)
+    assert remark.text(language) in page and exchanges in page and "1%" in page
+    assert all(trace_json.message(m).text(language) in page for m in data["guarantee"]["conditions_messages"])
+
+
 def test_sentences_without_codes_are_shown_as_they_are(traced):
     folder, _ = traced
     data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
-    del data["messages"]  # as earlier versions wrote it
+    data = without_messages(data)  # as version 0.1.0 wrote it
     page = trace_html.trace_report(data, language="de")
     assert data["effects"][0]["name"] in page and data["remainder"]["words"] in page and "Befunde" in page
 
