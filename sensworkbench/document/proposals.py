@@ -6,7 +6,7 @@ from __future__ import annotations
 from ..messages import Refused
 from .paths import places
 from .propose import building, engine
-from .propose.directions import AxisProposal, propose_axes
+from .propose.suggestions import AxisProposal, propose_axes
 
 __all__ = ["AxisProposal", "machine_from_parts", "propose_axes"]
 

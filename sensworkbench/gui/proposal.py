@@ -6,13 +6,12 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import FreeCADGui as Gui
-import Part
 
-from ..core.refusal import Refused
 from ..document import paths
 from ..document.base import kind_of
-from ..document.propose import building, engine
-from ..document.propose.directions import AxisProposal, propose_axes
+from ..document.propose import building
+from ..document.propose.found import Found
+from ..document.propose.suggestions import AxisProposal, suggested
 from ..messages import Message
 
 BODIES = ("F", "X", "Y", "Z", "T", "W")
@@ -28,7 +27,7 @@ class Shown:
     suggests.
     """
 
-    found: engine.Found | None = None
+    found: Found | None = None
     reasons: dict[str, list[tuple[str, Message]]] = field(default_factory=dict)
     notes: list[Message] = field(default_factory=list)
     directions: list[AxisProposal] = field(default_factory=list)
@@ -65,14 +64,14 @@ def _part_like(obj) -> bool:
     return not used and not obj.Shape.isNull() and bool(obj.Shape.Faces)
 
 
-def make(doc, found: engine.Found, label: str):
+def make(doc, found: Found, label: str):
     """(machine of a proposal, what to say of it).  Axes that were not found are made empty.  Opens no transaction."""
     blanks = () if found.complete else ("X", "Y", "Z")
     machine = building.build(doc, found, label=label, blanks=blanks)
     return machine, shown(doc, found)
 
 
-def shown(doc, found: engine.Found) -> Shown:
+def shown(doc, found: Found) -> Shown:
     """What to say of a proposal."""
     made = Shown(found, notes=list(found.remarks))
     for body, messages in found.reasons.items():
@@ -89,18 +88,8 @@ def shown(doc, found: engine.Found) -> Shown:
     elif found.axes:
         made.reasons["tool point"] = [("tool", Message("propose-panel-tool"))]
     if len(found.axes) < 3 and not found.complete:
-        made.directions = _directions(found)
+        made.directions = suggested(found.document) if found.document and found.document.units else []
     return made
-
-
-def _directions(found: engine.Found) -> list:
-    """Directions of rails, screws and long edges, where too few axes were found."""
-    units = [u for u in found.document.units if u.number is None] if found.document else []
-    units = sorted(units, key=lambda u: -u.size)[:60]
-    try:
-        return propose_axes([u.where for u in units if sum(s.faces for s in u.solids) < 500])
-    except (Refused, Part.OCCError):
-        return []
 
 
 def selected_links() -> list[tuple]:

@@ -184,7 +184,7 @@ class ProposalNote(QtGui.QFrame):
         found = self.proposal.directions
         if not found:
             return None
-        texts = [f"{vector_words(a.direction, 3)}  {a.why}, {a.length:.0f} mm" for a in found]
+        texts = [f"{vector_words(a.direction, 3)}  {a.why.text(language())}" for a in found]
         box = combo([(-1, translate("Sens", "Choose …")), *enumerate(texts)])
         box.setToolTip(translate("Sens", "Directions of rails, screws and long edges, the longest first"))
 

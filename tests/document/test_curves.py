@@ -9,9 +9,8 @@ import pytest
 
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import curves, factory, geometry
-from sensworkbench.document.imported import pieces_of
 from sensworkbench.document.paths import place
-from sensworkbench.document.propose import directions
+from sensworkbench.document.propose import suggestions
 
 from .machines import offset_block
 
@@ -39,7 +38,7 @@ def test_no_shape_is_asked_in_vain(doc, kind):
         curves.line(edge), curves.circle(edge)
     for face in shape.Faces:
         curves.plane(face), curves.cylinder(face)
-    directions.guides(pieces_of([obj]))
+    suggestions.propose_axes([obj])
     for n in range(1, len(shape.Edges) + 1):
         try:
             geometry.direction(place((obj, f"Edge{n}")), "Automatic", "X")
@@ -51,7 +50,7 @@ def test_no_shape_is_asked_in_vain(doc, kind):
             pass
     rod = doc.addObject("Part::Feature", "Rod")
     rod.Shape = Part.makeBox(20, 20, 900)
-    assert directions.propose_axes([obj, rod])[0].length == pytest.approx(900)
+    assert suggestions.propose_axes([obj, rod])[0].length == pytest.approx(900)
 
 
 def test_null_and_endless_shapes_answer_nothing():

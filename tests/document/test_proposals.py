@@ -11,7 +11,6 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.document import examples, factory, proposals, results, tree
 from sensworkbench.document.imported import pieces_of, split
 from sensworkbench.document.paths import leaves
-from sensworkbench.document.propose import directions
 
 from .blocks import block, close, point
 
@@ -131,7 +130,9 @@ def test_rails_screws_and_long_edges_propose_the_axes(doc):
     found = proposals.propose_axes([plate, rail, screw])
     assert [(a.axis, tuple(round(abs(v), 9) for v in a.direction)) for a in found[:2]] == [
         ("X", (1, 0, 0)), ("Y", (0, 1, 0))]  # fmt: skip
-    assert "rail 'Rail'" in found[0].why and "screw 'Screw'" in found[1].why
+    assert [(a.why.code, a.why.fields["part"]) for a in found[:2]] == [
+        ("propose-suggested-rail", "Rail"), ("propose-suggested-screw", "Screw")]  # fmt: skip
+    assert "'Rail'" in found[0].why.text("en") and "800 mm" in found[0].why.text("de")
     assert (found[0].length, found[1].length) == (pytest.approx(800), pytest.approx(450))
 
 
@@ -141,7 +142,7 @@ def test_without_rails_the_longest_edges_propose_the_axes(doc):
     doc.recompute()
     found = proposals.propose_axes(parts)
     assert sorted(a.axis for a in found[:3]) == ["X", "Y", "Z"]
-    assert all("longest edge" in a.why for a in found)
+    assert all(a.why.code == "propose-suggested-side" for a in found)
 
 
 def test_a_proposed_source_gives_the_proposed_direction(doc):
@@ -182,7 +183,7 @@ def test_a_rounded_edge_and_a_bore_are_no_screws(doc):
     bored = bored.makeFillet(8, [e for e in bored.Edges if e.Length == pytest.approx(800) and len(e.Vertexes) == 2][:1])
     obj = doc.addObject("Part::Feature", "Ram")
     obj.Shape = bored
-    assert [g.kind for g in directions.guides(pieces_of([obj]))] == ["rail"]  # long enough to be one
+    assert proposals.propose_axes([obj])[0].why.code == "propose-suggested-rail"  # long enough to be one
 
 
 # -- refusals --------------------------------------------------------------------------------------------------------

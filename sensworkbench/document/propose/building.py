@@ -16,7 +16,8 @@ from .. import curves, factory
 from ..imported import COMPOUNDS, split, whole_containers
 from ..part_names import TOOL_POINT
 from ..paths import Place, _is_datum, leaves, place
-from .engine import Axis, Found
+from .facets import Looker, skins
+from .found import Axis, Found
 from .reading import Unit
 
 PARALLEL = 2e-4  # rad between a direction and the edge that it is linked to
@@ -96,7 +97,7 @@ def _taken_apart(found: Found) -> dict[tuple, Place]:
     for group in lumps.values():
         obj = group[0].where.object
         parts = split(obj) if _has_solids(obj) else _skins(obj)
-        boxes = np.array([_box(p) for p in parts])
+        boxes = np.array([_box(p, found.document.frame) for p in parts])
         for unit in group:
             made[unit.key] = place(parts[int(np.argmin(np.abs(boxes - unit.box).sum(1)))])
             found.document.apart[unit.key] = made[unit.key]
@@ -107,21 +108,22 @@ def _has_solids(obj) -> bool:
     return (obj.TypeId in COMPOUNDS and len(obj.Links) > 1) or len(curves.parts(obj.Shape, "Solids")) > 1
 
 
-def _box(obj) -> np.ndarray:
-    box = Place(obj).shape().BoundBox if not obj.getParentGeoFeatureGroup() else place(obj).shape().BoundBox
-    return np.array([box.XMin, box.YMin, box.ZMin, box.XMax, box.YMax, box.ZMax])
+def _box(obj, frame) -> np.ndarray:
+    """The box of a part in the frame in which the document was read."""
+    where = Place(obj) if not obj.getParentGeoFeatureGroup() else place(obj)
+    solids = [s.scaled(frame.scale) for s in Looker().solids(where.shape(), frame.turn)]
+    boxes = np.array([s.box for s in solids]) if solids else np.full((1, 6), np.inf)
+    return np.hstack([boxes[:, :3].min(0), boxes[:, 3:].max(0)])
 
 
 def _skins(obj) -> list:
     """An object for each connected skin of a shape that calls itself one solid; the shape stays, hidden."""
-    from .facets import _skins as groups
-
     doc = obj.Document
     holder = doc.addObject("App::Part", f"{obj.Name}_parts")
     holder.Label = f"{obj.Label}, parts"
     made = []
     faces = curves.parts(obj.Shape, "Faces")
-    for number, group in enumerate(groups(faces), 1):
+    for number, group in enumerate(skins(faces), 1):
         part = doc.addObject("Part::Feature", f"Solid{number:03d}")
         part.Label = f"{obj.Label} {number}"
         skin = Part.makeCompound([faces[i] for i in group])
@@ -151,7 +153,9 @@ def _direction(doc, found: Found, axis: Axis, places):
             return source
     line = doc.addObject("Part::Line", f"Direction{axis.name}")
     line.Label = f"Direction {axis.name} (proposed)"
-    start = App.Vector(*(axis.point if axis.point is not None else found.bodies[axis.name][0].box[:3]))
+    start = App.Vector(
+        *(axis.point if axis.point is not None else found.document.frame.point(found.bodies[axis.name][0].box[:3]))
+    )
     end = start + u * 100
     for name, value in zip(("X1", "Y1", "Z1", "X2", "Y2", "Z2"), (*start, *end)):
         setattr(line, name, value)
@@ -212,9 +216,9 @@ def _tool_point(doc, found: Found, places):
     units = found.bodies.get("T") or found.bodies.get(last)
     if not units or not found.axes:
         return None
-    up = found.up
-    best = None
-    for unit in sorted(units, key=lambda u: u.extent(up)[0])[:12]:
+    up, best = found.up, None
+    inner = found.document.frame.inward(up)  # parts are known in the frame of the machine
+    for unit in sorted(units, key=lambda u: u.extent(inner)[0])[:12]:
         for leaf in leaves(places.get(unit.key, unit.where))[:6]:
             for n, edge in enumerate(curves.parts(leaf.shape(), "Edges")[:2000], 1):
                 circle = curves.circle(edge)
@@ -231,5 +235,5 @@ def _tool_point(doc, found: Found, places):
         other = np.array([u.box for u in found.bodies["W"]])
         at = np.clip((other[:, :3].min(0) + other[:, 3:].max(0)) / 2, low, high)
     else:
-        at = at - up * (at @ up) + up * min(low @ up, high @ up)
-    return _vertex(doc, "ToolPoint", "Tool point (proposed)", at)
+        at = at - inner * (at @ inner) + inner * min(low @ inner, high @ inner)
+    return _vertex(doc, "ToolPoint", "Tool point (proposed)", found.document.frame.point(at))

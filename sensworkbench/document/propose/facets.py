@@ -59,11 +59,24 @@ class Solid:
             self.outside, _turned(self.round_boxes, turn, shift), self.faces, self.sampled,
         )  # fmt: skip
 
+    def scaled(self, k: float) -> Solid:
+        """The same solid, k times as large."""
+        return Solid(
+            self.box * k, self.planes, self.offsets * k, self.plane_boxes * k, self.points * k, self.axes,
+            self.radii * k, self.outside, self.round_boxes * k, self.faces, self.sampled,
+        )  # fmt: skip
+
     def extent(self, u: np.ndarray) -> tuple[float, float]:
         """Lowest and highest coordinate along the unit vector u, of the box: exact along its axes."""
         middle, half = (self.box[3:] + self.box[:3]) / 2, (self.box[3:] - self.box[:3]) / 2
         at, reach = float(middle @ u), float(half @ np.abs(u))
         return at - reach, at + reach
+
+
+def _is_square(placement: App.Placement) -> bool:
+    """Whether a placement takes axes to axes."""
+    turn = np.array(placement.toMatrix().A).reshape(4, 4)[:3, :3]
+    return bool(np.all(np.abs(turn).max(1) > 0.999999))
 
 
 def _turned(boxes: np.ndarray, turn: np.ndarray, shift: np.ndarray) -> np.ndarray:
@@ -80,26 +93,35 @@ class Looker:
 
     def __init__(self, seconds: float = 8.0):
         self.until, self.deadline = time.thread_time() + seconds, time.monotonic() + 1.5 * seconds
-        self.known: dict[int, list] = {}
+        self.known: dict[tuple, list] = {}
         self.sampled = 0
 
-    def solids(self, shape) -> list[Solid]:
-        """The solids of a shape, in its own place."""
+    def solids(self, shape, turn: App.Placement | None = None) -> list[Solid]:
+        """The solids of a shape, in its own place, seen in the frame that `turn` leads to.
+
+        A shape that stands askew is looked at as it stands, so that its boxes are tight.
+        """
         if not curves.is_something(shape):
             return []
         try:
-            placement = shape.Placement
+            placement = shape.Placement if turn is None else turn.multiply(shape.Placement)
             bare = Part.Shape(shape)
             bare.Placement = App.Placement()
             key = bare.hashCode()
+            stands = App.Placement() if _is_square(placement) else App.Placement(App.Vector(), placement.Rotation)
+            askew = tuple(round(v, 5) for v in stands.Rotation.Q)
+            known = self.known.setdefault((key, askew), [])
+            found = next((solids for other, solids in known if other.isPartner(bare)), None)
+            if found is None:
+                seen = Part.Shape(bare)
+                seen.Placement = stands
+                found = self._look(seen)
+                self.sampled += any(s.sampled for s in found)
+                known.append((bare, found))
+            rest = placement.multiply(stands.inverse())
         except curves.FAILS:
             return []
-        found = next((solids for known, solids in self.known.get(key, ()) if known.isPartner(bare)), None)
-        if found is None:
-            found = self._look(bare)
-            self.sampled += any(s.sampled for s in found)
-            self.known.setdefault(key, []).append((bare, found))
-        return [s.placed(placement) for s in found]
+        return [s.placed(rest) for s in found]
 
     def _look(self, shape) -> list[Solid]:
         faces = curves.parts(shape, "Faces")
@@ -109,7 +131,7 @@ class Looker:
         if hurry or len(faces) > 20 * MOST_FACES:
             box = curves.box(shape)
             return [] if box is None else [Solid(_array(box), faces=len(faces), sampled=True)]
-        groups = _skins(faces)
+        groups = skins(faces)
         if len(groups) > MOST_SKINS:
             groups = sorted(groups, key=len, reverse=True)[:MOST_SKINS]
         total = sum(map(len, groups))
@@ -120,7 +142,7 @@ class Looker:
         return [s for s in found if s is not None]
 
 
-def _skins(faces) -> list[list[int]]:
+def skins(faces) -> list[list[int]]:
     """Numbers of the faces that hang together by shared edges, each group a skin."""
     group = list(range(len(faces)))
 

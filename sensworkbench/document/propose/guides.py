@@ -108,6 +108,15 @@ def shape_of(solid, size: float) -> tuple[str, np.ndarray | None]:
     return "", None
 
 
+def is_round_bar(solid, u) -> bool:
+    """Whether the section of a bar along u is that of a cylinder, not of a prism with rounded edges or bores."""
+    if not len(solid.radii):
+        return False
+    width = float(np.max(solid.size - np.abs(u) * (solid.size @ np.abs(u))))
+    along = solid.outside & (np.abs(solid.axes @ u) > 0.99)
+    return bool(along.any()) and 2 * float(solid.radii[along].max()) > 0.6 * width
+
+
 def touching(document: Document, axes: np.ndarray, minor: set[int], size: float, watch, until) -> Touching:
     """Examine all pairs of neighbours.  minor : units that are too small to count.  watch(done, all): true stops."""
     import time

@@ -18,9 +18,10 @@ from .. import batch
 from ..archive import read_contents
 from ..extract import core_machine
 from . import building, engine
+from .found import Found
 
 
-def typed(found: engine.Found) -> proposal_json.Proposal:
+def typed(found: Found) -> proposal_json.Proposal:
     """The proposal as `proposal.json` holds it."""
     return proposal_json.Proposal(
         found.complete,
@@ -71,7 +72,7 @@ def propose(path, folder, answers=None) -> list[Path]:
         batch._close_new(before)
 
 
-def _machine(document, found: engine.Found, label: str):
+def _machine(document, found: Found, label: str):
     """The machine of a complete proposal, or None where it cannot be computed; what is wrong becomes a remark."""
     if not found.complete:
         return None

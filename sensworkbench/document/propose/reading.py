@@ -18,6 +18,7 @@ from ..imported import COMPOUNDS
 from ..paths import DATUM_TYPES, Place, _is_folder, container_of, leaves, place
 from . import words
 from .facets import Looker, Solid, of_mesh
+from .frame import Frame, frame_of
 
 FEW = 3  # a document with fewer parts is looked into
 SMALL = 0.02  # of the machine's size: smaller things hold others together, and are none themselves
@@ -101,7 +102,10 @@ class Bond:
 
 @dataclass
 class Document:
-    """What was read.  grounded : numbers of units that the document itself holds still.  remarks : (code, fields)."""
+    """What was read, in the machine's own frame.
+
+    grounded : numbers of units that the document itself holds still.  remarks : (code, fields).
+    """
 
     units: list[Unit]
     bonds: list[Bond] = field(default_factory=list)
@@ -111,6 +115,7 @@ class Document:
     sampled: int = 0
     names: list[str] = field(default_factory=list)  # all labels, containers too
     inside_link: bool = False
+    frame: Frame = field(default_factory=Frame)  # that solids and bonds are given in
     apart: dict = field(default_factory=dict)  # unit key -> Place of the object that a lump's solid became
 
 
@@ -127,23 +132,49 @@ def read(doc, selection=(), seconds: float = 8.0, progress=None) -> Document:
     inside = False
     while len(found) < FEW and (deeper := _inside_links(found, names)) is not None:
         found, inside = deeper, True
+    made = _looked_at(found, names, seconds, progress)
+    made.inside_link = inside
+    _bonds(doc, made)
+    for bond in made.bonds if not made.frame.is_document else ():
+        bond.u = None if bond.u is None else made.frame.inward(bond.u)
+    return made
+
+
+def read_parts(chosen, seconds: float = 8.0) -> Document:
+    """Read some parts alone, without the joints between them.  chosen : their places."""
+    found, names = [], []
+    for where in chosen:
+        _walk(Place(where.root, where.path), (), found, names)
+    return _looked_at(found, names, seconds, None)
+
+
+def _looked_at(found, names, seconds: float, progress) -> Document:
+    """The shapes of parts, in the frame in which they are best looked at."""
     looker = Looker(seconds)
-    units, lumps = [], []
     order = sorted(range(len(found)), key=lambda n: _faces(found[n][0]))  # rails and blocks before motors and castings
     looks: list[list[Solid]] = [[] for _ in found]
     for done, n in enumerate(order):
         if progress is not None and progress(done, len(found)):
             break
         looks[n] = _solids(found[n][0], looker)
+    units = _units(found, looks)
+    frame = frame_of(units, {n for n, u in enumerate(units) if u.hardware == "fastener"})
+    if not frame.is_document:
+        looks = [_solids(entry[0], looker, frame) if seen else [] for entry, seen in zip(found, looks)]
+        units = _units(found, looks)
+    return Document(units, sampled=looker.sampled, names=names, frame=frame)
+
+
+def _units(found, looks) -> list[Unit]:
+    """A unit for each part; for each of its solids where there are next to no parts."""
+    units, lumps = [], []
     for (where, labels, holders, source), solids in zip(found, looks):
         if solids:
             unit = Unit(where, labels, solids, None, holders, source)
             (lumps if len(found) < FEW and len(solids) > 1 else units).append(unit)
     for lump in lumps:
         units += [Unit(lump.where, lump.labels, [s], k, lump.holders, lump.source) for k, s in enumerate(lump.solids)]
-    made = Document(units, sampled=looker.sampled, names=names, inside_link=inside)
-    _bonds(doc, made)
-    return made
+    return units
 
 
 def _tops(doc, selection) -> list[Place]:
@@ -265,18 +296,23 @@ def _faces(where: Place) -> int:
         return 10**9
 
 
-def _solids(where: Place, looker: Looker) -> list[Solid]:
-    obj = where.object
+def _solids(where: Place, looker: Looker, frame: Frame | None = None) -> list[Solid]:
+    turn = None if frame is None else frame.turn
     try:
-        if hasattr(obj, "Mesh"):
-            mesh = obj.Mesh.copy()
-            return of_mesh(mesh)
-        shape = where.shape()
-        if curves.is_something(shape):
-            return looker.solids(shape)
-        return [s for leaf in leaves(where) for s in looker.solids(leaf.shape())]
+        if hasattr(where.object, "Mesh"):
+            mesh = where.object.Mesh.copy()
+            place_there = where.placement if turn is None else turn.multiply(where.placement)
+            mesh.Placement = place_there
+            solids = of_mesh(mesh)
+        else:
+            shape = where.shape()
+            if curves.is_something(shape):
+                solids = looker.solids(shape, turn)
+            else:
+                solids = [s for leaf in leaves(where) for s in looker.solids(leaf.shape(), turn)]
     except Exception:  # noqa: BLE001 - a damaged part is no reason to know nothing of the others
         return []
+    return solids if frame is None or frame.scale == 1.0 else [s.scaled(frame.scale) for s in solids]
 
 
 # -- joints and constraints of the document --------------------------------------------------------------------------

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which links carry the workpiece, and which the tool."""
+
+from __future__ import annotations
+
+from . import words
+from .found import State
+from .links import Link, Reading
+from .pinned import pins
+from .speech import roles_of
+
+
+def branches_of(links, bed) -> list[list[Link]]:
+    """Return the chains of links that start at the bed, two at most."""
+    branches = []
+    for first in [k for k in links if k.inner == bed]:
+        branch = [first]
+        while (more := next((k for k in links if k.inner == branch[-1].outer), None)) is not None:
+            branch.append(more)
+        branches.append(branch)
+    return branches[:2]
+
+
+def sides_of(state: State, reading: Reading, branches, places, up, answers):
+    """(workpiece side, tool side, how sure): by a person, by names, by where the upright axis is."""
+    branches = [*branches, *[[] for _ in range(2 - len(branches))]]
+    document = state.document
+
+    def bodies(branch):
+        return set().union(*[reading.bodies[k.outer] for k in branch]) if branch else set()
+
+    tool, work = pins(document, answers, "tool"), pins(document, answers, "work")
+    for pinned, order in ((tool, 1), (work, 0)):
+        if pinned:
+            hit = 0 if bodies(branches[0]) & pinned else 1
+            first, second = branches[hit], branches[1 - hit]
+            return (second, first, 1.0) if order else (first, second, 1.0)
+
+    def score(branch):
+        body = bodies(branch)
+        roles = roles_of(places, document.units, body)
+        own = {words.role(document.units[n].label) for n in body}
+        value = (
+            1.0 * bool(roles & {"tool", "toolpost", "quill"})
+            + 0.4 * bool(own & {"tool"})
+            + 0.5 * bool(roles & {"gantry"})
+        )
+        value -= 1.0 * bool(roles & {"work", "table", "knee"}) + (0.5 if not state.said.lathe else 0.0) * bool(
+            roles & {"saddle"}
+        )
+        value += 0.35 * any(abs(k.u @ up) > 0.9 for k in branch) * (not state.said.lathe)
+        return value
+
+    one, two = score(branches[0]), score(branches[1])
+    if not branches[1]:
+        standing = roles_of(places, document.units, reading.bodies[reading.bed])
+        one -= 0.5 * bool(standing & {"tool", "quill", "toolpost"}) - 0.2
+        if one >= -0.2 or (len(branches[0]) > 2 and one >= -0.5):
+            return [], branches[0], 0.9 if one > 0.5 else 0.6
+        return branches[0], [], 0.85 if one < -0.7 else 0.6
+    sure = min(1.0, 0.5 + 0.4 * abs(one - two))
+    if one == two:
+        tops = [max((document.units[n].extent(up)[1] for n in bodies(b)), default=0.0) for b in branches]
+        one, two = tops
+    return (branches[1], branches[0], sure) if one > two else (branches[0], branches[1], sure)
