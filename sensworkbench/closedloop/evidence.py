@@ -135,12 +135,19 @@ class BlockGrams:
         keep = values > 1e-9 * values[-1]
         root = (vectors[:, keep] / np.sqrt(values[keep])).T / scale[base]  # rows: whitening of the base
         y = root @ right[base]
-        out = np.empty(len(candidates))
+        every = np.concatenate([np.asarray(c, dtype=int) for c in candidates])
+        z = root @ gram[np.ix_(base, every)]
+        r = right[every] - z.T @ y
+        square = gram[every, every] - (z**2).sum(axis=0)
+        out, at = np.empty(len(candidates)), 0
         for i, columns in enumerate(candidates):
-            z = root @ gram[np.ix_(base, columns)]
-            g = gram[np.ix_(columns, columns)] - z.T @ z
-            r = right[columns] - z.T @ y
-            out[i] = float(r @ np.linalg.pinv(g, rcond=1e-8, hermitian=True) @ r)
+            own = slice(at, at + len(columns))
+            at += len(columns)
+            if len(columns) == 1:
+                out[i] = r[own][0] ** 2 / square[own][0] if square[own][0] != 0 else 0.0
+                continue
+            g = gram[np.ix_(columns, columns)] - z[:, own].T @ z[:, own]
+            out[i] = float(r[own] @ np.linalg.pinv(g, rcond=1e-8, hermitian=True) @ r[own])
         return out
 
 

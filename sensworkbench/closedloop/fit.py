@@ -23,6 +23,7 @@ RANK_TOLERANCE = 1e-6
 NOTHING = 1e-15  # length of a column over the longest: less is what rounding leaves of a zero
 REFINED = 300.0  # condition from which a solution is refined
 OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
+LEAST_FREE = 0.05  # of a reading: what its leverage leaves, at least
 CROWD = 0.1  # share of the points: more than that are no gross outliers
 FEW_LEVELS = 4
 LEAST_CROWD = 5  # flagged points from which a column can crowd them
@@ -53,9 +54,13 @@ class Basis:
 def _scaled(matrix, weight=None) -> tuple[np.ndarray, np.ndarray]:
     """Weighted columns of unit length, and their lengths (infinite for a column that shows nowhere)."""
     x = matrix if weight is None else matrix * weight[:, None]
-    scale = np.linalg.norm(x, axis=0)
-    scale[scale <= NOTHING * max(scale.max(initial=0.0), 1e-300)] = np.inf
+    scale = _lengths(np.linalg.norm(x, axis=0))
     return x / scale, scale
+
+
+def _lengths(scale) -> np.ndarray:
+    """Lengths of columns, infinite where only rounding is left of one."""
+    return np.where(scale <= NOTHING * max(scale.max(initial=0.0), 1e-300), np.inf, scale)
 
 
 def basis(matrix, weight=None) -> Basis:
@@ -70,7 +75,7 @@ def basis(matrix, weight=None) -> Basis:
     root = np.sqrt(values[keep])
     q = x @ (vectors[:, keep] / root)
     lower = np.linalg.cholesky(q.T @ q)
-    q = np.linalg.solve(lower, q.T).T
+    q = q @ np.linalg.inv(lower).T  # nearly the identity
     u, s, vt = np.linalg.svd(lower.T @ (root[:, None] * vectors[:, keep].T), full_matrices=False)
     return Basis(np.ascontiguousarray(q @ u), s, vt.T, scale, float(s[0] / s[-1]))
 
@@ -96,14 +101,33 @@ def solution(b: Basis, weighted, target) -> np.ndarray:
     return (z / np.where(finite, b.scale, np.inf)).astype(float)
 
 
-def _quick(matrix, weight, y) -> tuple[np.ndarray, np.ndarray, int]:
-    """(residual, leverage, rank) by the normal equations: enough to weigh readings, ten times faster than the SVD."""
-    x, scale = _scaled(matrix, weight)
-    values, vectors = np.linalg.eigh(x.T @ x)
+@dataclass(frozen=True)
+class _Quick:
+    """A fit by the normal equations: enough to weigh readings, many times faster than the SVD.
+
+    residual (R,), not weighted.  rank.  columns (R, n), weighted; columns @ root is orthonormal.
+    """
+
+    residual: np.ndarray
+    rank: int
+    columns: np.ndarray
+    root: np.ndarray
+
+    def leverage(self, rows) -> np.ndarray:
+        """(k,) of some rows (numbers)."""
+        q = self.columns[rows] @ self.root
+        return np.einsum("ri,ri->r", q, q)
+
+
+def _quick(matrix, weight, y) -> _Quick:
+    x = matrix * weight[:, None]
+    gram = x.T @ x
+    scale = _lengths(np.sqrt(np.diag(gram)))
+    values, vectors = np.linalg.eigh(gram / scale / scale[:, None])
     keep = values > 1e-12 * values[-1]
-    q = x @ (vectors[:, keep] / np.sqrt(values[keep]))
-    theta = (vectors[:, keep] / np.sqrt(values[keep])) @ (q.T @ (y * weight)) / scale
-    return y - matrix @ theta, (q**2).sum(axis=1), int(keep.sum())
+    root = vectors[:, keep] / np.sqrt(values[keep]) / scale[:, None]
+    theta = root @ (root.T @ (x.T @ (y * weight)))
+    return _Quick(y - matrix @ theta, int(keep.sum()), x, root)
 
 
 @dataclass
@@ -199,8 +223,8 @@ def _robust_start(matrix, y, weight, stated, readings: Readings):
     count = len(y)
     robust = np.ones(count)
     for _ in range(3):
-        residual, _, rank = _quick(matrix, weight * np.sqrt(robust), y)
-        loss = np.sqrt(count / max(count - rank, 1))
+        found = _quick(matrix, weight * np.sqrt(robust), y)
+        residual, loss = found.residual, np.sqrt(count / max(count - found.rank, 1))
         known = np.ones(count) if stated is None else np.where(np.isfinite(stated), stated, 1)
         sigma = np.empty(count)
         for kind in np.unique(readings.kind):
@@ -219,11 +243,13 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal):
     """
     good, noise = robust > 0, {}
     for step in range(9):
-        residual, leverage, rank = _quick(matrix, weight * np.sqrt(robust), y)
+        found = _quick(matrix, weight * np.sqrt(robust), y)
         kept, previous = good.sum(), good
-        sigma, noise = _noise(residual, readings, good, np.sqrt(kept / max(kept - rank, 1)), stated)
-        z = residual / (sigma * np.sqrt(np.clip(1 - leverage * good, 0.05, 1)))
-        good = (np.abs(z) < OUTLIER_LIMIT) | signal
+        sigma, noise = _noise(found.residual, readings, good, np.sqrt(kept / max(kept - found.rank, 1)), stated)
+        z = np.abs(found.residual / sigma)
+        far = np.flatnonzero(z >= OUTLIER_LIMIT * np.sqrt(LEAST_FREE))  # the others are good whatever their leverage
+        z[far] /= np.sqrt(np.clip(1 - found.leverage(far) * good[far], LEAST_FREE, 1))
+        good = (z < OUTLIER_LIMIT) | signal
         robust = good.astype(float)
         weight = 1 / sigma
         if step > 0 and np.array_equal(good, previous):

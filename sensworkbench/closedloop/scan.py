@@ -42,7 +42,22 @@ class Rows:
 
     def gather(self, x) -> np.ndarray:
         """(P, ...) sums over the rows of each point."""
-        return np.add.reduceat(x, self.start, axis=0)
+        each = self.each
+        if each is None:
+            return np.add.reduceat(x, self.start, axis=0)
+        total = x[::each].copy()
+        for k in range(1, each):
+            total += x[k::each]
+        return total
+
+    @cached_property
+    def each(self) -> int | None:
+        """The number of rows of every point, or None where they differ."""
+        count = len(self.residual) // max(len(self.start), 1)
+        same = count * len(self.start) == len(self.residual) and np.array_equal(
+            self.start, count * np.arange(len(self.start))
+        )
+        return count if same else None
 
     def white(self, x) -> np.ndarray:
         """Weighted rows (R,) or (R, m) whitened."""

@@ -58,10 +58,18 @@ def _halves(parts, scale, best: int, seed: int) -> float:
     return hits / HALVES
 
 
-def _products(rows: Rows, residual) -> np.ndarray:
-    """(P, C) cross products of lever x residual between different rows of each point."""
-    x = rows.lever * residual[:, None]
-    return rows.gather(x) ** 2 - rows.gather(x**2)
+def _pairs(rows: Rows) -> tuple[np.ndarray, np.ndarray]:
+    """(first, second) rows of every two of the same point."""
+    size = np.diff(np.r_[rows.start, len(rows.residual)])
+    rank = np.arange(len(rows.residual)) - rows.start[rows.point]
+    found = [np.flatnonzero(rank + apart < size[rows.point]) for apart in range(1, int(size.max(initial=1)))]
+    first = np.concatenate([np.zeros(0, dtype=int), *found])
+    return first, first + np.repeat(np.arange(1, len(found) + 1), [len(f) for f in found])
+
+
+def _of_points(point, product, count: int) -> np.ndarray:
+    """(count, C) sums of the products of pairs over the points that they belong to."""
+    return np.stack([np.bincount(point, weights=p, minlength=count) for p in product.T], axis=1)
 
 
 def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 199, seed: int = 0) -> Unlogged | None:
@@ -71,19 +79,20 @@ def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 
     """
     clip = settings.unlogged_clip
     residual = np.clip(rows.residual, -clip, clip)
+    first, second = _pairs(rows)
     g2 = rows.lever**2
     weight = (rows.gather(g2) ** 2 - rows.gather(g2**2)).sum(axis=0)
     usable = weight > 1e-6 * max(float(weight.max(initial=0.0)), 1e-300)
     if not usable.any():
         return None
     scale = np.where(usable, np.sqrt(np.where(usable, weight, 1.0)), np.inf)
-    parts = _products(rows, residual)
-    observed = parts.sum(axis=0) / scale
+    product = 2 * rows.lever[first] * rows.lever[second] * (residual[first] * residual[second])[:, None]
+    observed = product.sum(axis=0) / scale
     rng = np.random.default_rng(seed)
     null = np.empty(count)
     for i in range(count):
-        turned = residual * rng.choice((-1.0, 1.0), len(rows.residual))
-        null[i] = (_products(rows, turned).sum(axis=0) / scale).max()
+        turned = rng.choice((-1.0, 1.0), len(rows.residual))
+        null[i] = ((turned[first] * turned[second]) @ product / scale).max()
     best = int(np.argmax(observed))
     if observed[best] <= 0:
         return None
@@ -94,7 +103,7 @@ def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 
         rms=float(np.sqrt(max(variance, 0.0))),
         p=_p_value(observed[best], null, settings.unlogged_margin),
         size=float(np.sqrt(max(variance, 0) * power)),
-        selection=_halves(parts, scale, best, seed),
+        selection=_halves(_of_points(rows.point[first], product, len(rows.start)), scale, best, seed),
     )
 
 
@@ -140,9 +149,7 @@ def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: 
     variance = max(float(observed[best] / norm[best]), 0.0)
     symbol, name, place = labels[best]
     power = float((rows.lever[chosen, ALL_SYMBOLS.index(symbol)] ** 2 * place[point[chosen]] ** 2).mean())
-    parts = np.zeros((len(q), x.shape[1]))
-    np.add.at(parts, point[chosen], x * y[:, None])
-    again = _halves(parts, np.ones(x.shape[1]), best, seed)
+    again = _halves(_of_points(point[chosen], x * y[:, None], len(q)), np.ones(x.shape[1]), best, seed)
     return Unlogged(symbol, float(np.sqrt(variance)), p, float(np.sqrt(variance * power)), again, name)
 
 
