@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 
@@ -24,6 +25,9 @@ DISTRIBUTIONS = ("uniform", "normal", "truncated_normal", "triangular", "u_shape
 def _flat_normal_integral(a: float, k: int) -> float:
     """Integral of u^k exp(-a u²) over 0 <= u <= 1, for a <= 1/2, by the series of the exponential."""
     return sum((-a) ** n / (math.factorial(n) * (2 * n + k + 1)) for n in range(16))
+
+
+_inverse_normal = np.vectorize(NormalDist().inv_cdf, otypes=[float])
 
 
 @dataclass(frozen=True)
@@ -89,6 +93,29 @@ class Tolerance:
         fourth = 3 * second - 2 * c**3 * density / mass
         return middle, sigma**2 * second, 0.0, sigma**4 * fourth
 
+    def inverse(self, share: np.ndarray) -> np.ndarray:
+        """Values below which the law lies with probability `share`, in (0, 1); mm or rad."""
+        middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2
+        share = np.asarray(share, dtype=float)
+        if half == 0 or self.distribution == "point":
+            return np.full(share.shape, middle)
+        if self.distribution == "uniform":
+            return middle + half * (2 * share - 1)
+        if self.distribution == "triangular":
+            side = np.where(share < 0.5, np.sqrt(2 * np.minimum(share, 0.5)) - 1, 1 - np.sqrt(2 * (1 - share)))
+            return middle + half * side
+        if self.distribution == "u_shaped":
+            return middle - half * np.cos(np.pi * share)
+        normal = NormalDist()
+        if self.distribution == "normal":
+            return middle + (self.sigma or half / 3) * _inverse_normal(share)
+        sigma = self.sigma or half / 2
+        low = normal.cdf(-half / sigma)
+        inside = low + (1 - 2 * low) * share
+        if half < sigma * 1e-3:  # flat
+            return middle + half * (2 * share - 1)
+        return middle + np.clip(sigma * _inverse_normal(inside), -half, half)
+
     def scaled(self, ratio: float) -> Tolerance:
         """The same law about the same middle with its width times `ratio` (0 freezes the error)."""
         middle, half = (self.lower + self.upper) / 2, (self.upper - self.lower) / 2 * ratio
@@ -98,18 +125,23 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Moments:
-    """Moments of n independent inputs: `mean`, `var`, `third`, `fourth` (central), each of shape (n,)."""
+    """Moments of n independent inputs: `mean`, `var`, `third`, `fourth` (central), each of shape (n,).
+
+    laws (n): what they are the moments of, for objectives that need more than moments; empty where nobody knows.
+    """
 
     mean: np.ndarray
     var: np.ndarray
     third: np.ndarray
     fourth: np.ndarray
+    laws: tuple[Tolerance, ...] = ()
 
 
 def moments(tolerances) -> Moments:
     """`Moments` of a sequence of `Tolerance`."""
-    table = np.array([t.moments for t in tolerances], dtype=float).reshape(-1, 4)
-    return Moments(*np.ascontiguousarray(table.T))
+    laws = tuple(tolerances)
+    table = np.array([t.moments for t in laws], dtype=float).reshape(-1, 4)
+    return Moments(*np.ascontiguousarray(table.T), laws)
 
 
 def paper_tolerance(symbol: str) -> Tolerance:

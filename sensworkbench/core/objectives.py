@@ -13,7 +13,7 @@ from typing import ClassVar
 import numpy as np
 
 from ..messages import Refused
-from . import sobol
+from . import limits, sobol
 from .distributions import Moments
 from .synthesis import ORIENTATION, POSITION
 
@@ -29,7 +29,10 @@ class Objective:
     weights: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     name: ClassVar[str] = ""
-    power: ClassVar[int] = 2  # of a length (an angle) in the unit of Y; 1: its mean has a sign
+    power: ClassVar[int] = 2  # of a length (an angle) in the unit of Y
+    signed: ClassVar[bool] = False  # whether Y has a sign
+    has_shares: ClassVar[bool] = True  # whether (S + S^T) / 2 is a share of a variance
+    order: ClassVar[int | None] = None  # positions per joint where the usual number would take long
 
     def __post_init__(self):
         if self.output not in (POSITION, ORIENTATION):
@@ -70,6 +73,11 @@ class Objective:
         """Y in symbols."""
         raise NotImplementedError
 
+    @property
+    def conventions(self) -> dict[str, str]:
+        """What indices mean where that is not V(E[Y|X_i])/V(Y): entries of the conventions that files state."""
+        return {}
+
     # -- files -------------------------------------------------------------------------------------------------------
     def to_json(self) -> dict:
         """Return plain data from which `from_json` makes an equal objective."""
@@ -89,6 +97,7 @@ class Objective:
 
 
 LARGEST_WEIGHT = 1e12
+PER_PLACE = 16_384  # machines that a quantile is sampled from at each place
 OBJECTIVES: dict[str, type[Objective]] = {}
 
 
@@ -137,6 +146,7 @@ class Signed(Objective):
 
     name: ClassVar[str] = "signed"
     power: ClassVar[int] = 1
+    signed: ClassVar[bool] = True
 
     def indices(self, omega, law):
         return sobol.signed_indices(omega, law, self.weights)
@@ -156,6 +166,63 @@ class Signed(Objective):
     @property
     def formula(self):
         return " + ".join(self._terms("")).replace("+ -", "- ")
+
+
+@register
+@dataclass(frozen=True)
+class Quantile(Objective):
+    """The value that |T| does not exceed with probability `level` over random machines; weights not negative.
+
+    A quantile is no random number, so it has contributions in place of indices: by how many per cent it grows if an
+    error grows by one per cent (see `limits`).  They add to one and stand for S and S^T; there are no shares.  Where
+    laws are not normal, machines are sampled: a contribution then has a standard error of about .005.
+    """
+
+    name: ClassVar[str] = "quantile"
+    power: ClassVar[int] = 1
+    has_shares: ClassVar[bool] = False
+    order: ClassVar[int | None] = 4
+    level: float = 0.95
+
+    def __post_init__(self):
+        super().__post_init__()
+        if min(self.weights) < 0:
+            raise Refused("objective-weights-negative", "objective", weights=str(list(self.weights)))
+        if isinstance(self.level, bool) or not isinstance(self.level, (int, float)) or not 0.01 <= self.level <= 0.9999:
+            raise Refused("objective-level", "objective", level=repr(self.level)[:40])
+
+    def indices(self, omega, law):
+        omega = np.asarray(omega) * np.sqrt(self.weights)[:, None]
+        machines = None if limits.normal(law.laws) else limits.sample(law.laws, PER_PLACE)
+        found = [limits.RandomError(o, law.laws, machines=machines).quantile(self.level, error=False) for o in omega]
+        parts, value = np.array([f.contributions for f in found]), np.array([f.value for f in found])
+        return sobol.Indices(parts, parts.copy(), value, value**2)
+
+    def group_indices(self, omega, law, groups):
+        found = self.indices(omega, law)
+        parts = np.stack([found.first[:, list(g)].sum(axis=1) for g in groups], axis=1)
+        return sobol.Indices(parts, parts.copy(), found.mean, found.variance)
+
+    def expected(self, found):
+        return found.mean
+
+    def upper(self, found):
+        return found.mean
+
+    def size_shown(self, mean):
+        return float(mean) * self._scale()
+
+    def to_json(self):
+        return super().to_json() | {"level": self.level}
+
+    @property
+    def formula(self):
+        return f"Q{self.level:g}(√({' + '.join(self._terms('²'))}))"
+
+    @property
+    def conventions(self):
+        by = "d ln Y / d ln(tolerance and mean of X_i)"
+        return {"first": by, "total": by, "share": "none: a quantile has no variance", "component_total": "their sum"}
 
 
 def objective(output: str = POSITION, weights=(1.0, 1.0, 1.0), signed: bool = False) -> Objective:

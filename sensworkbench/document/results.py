@@ -112,7 +112,7 @@ def write(obj, result: Result) -> None:
         put(obj, name, value)
     put(obj, "Output", found.objective.output)
     put(obj, "Weights", found.objective.weights)
-    put(obj, "Signed", found.objective.power == 1)
+    put(obj, "Signed", found.objective.signed)
     put(obj, "Aggregate", found.positions.kind)
     at = found.positions.kind == "at"
     put(obj, "Points", found.positions.q[0] if at else found.positions.counts)
@@ -130,7 +130,7 @@ def _take_settings(machine, found: workspace.Sensitivity) -> None:
     put(machine, "Output", found.objective.output)
     put(machine, "Aggregate", found.positions.kind)
     put(machine, "Weights", found.objective.weights)
-    put(machine, "Signed", found.objective.power == 1)
+    put(machine, "Signed", found.objective.signed)
     counts = found.positions.counts
     if found.positions.kind == "at":
         put(machine, "At", found.positions.q[0])

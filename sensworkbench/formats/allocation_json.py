@@ -30,10 +30,14 @@ def to_dict(result: AllocationResult) -> dict:
             "grade": choice.grade or None,
             "cost": choice.cost,
         })  # fmt: skip
+    level = {"level": result.target.level} if result.target.kind == "quantile" else {}
+    quantiles = {}
+    if result.quantile_um is not None:
+        quantiles = {"quantile_um": dict(zip(("before", "after"), result.quantile_um))}
     return {
         "format": FORMAT,
         "version": VERSION,
-        "target": {"kind": result.target.kind, "value": result.target.value},
+        "target": {"kind": result.target.kind, "value": result.target.value} | level,
         "cost": found.cost,
         "bound": found.bound,
         "gap": found.gap,
@@ -41,7 +45,7 @@ def to_dict(result: AllocationResult) -> dict:
         "rms_um": {"before": result.rms_before_um, "after": result.rms_after_um},
         "worst_rms_um": {"before": result.worst_before_um, "after": result.worst_after_um},
         "machine": {"name": machine.name, "structure": machine.structure},
-    }
+    } | quantiles
 
 
 def _shown(c, law) -> float:
@@ -65,6 +69,9 @@ def report(result: AllocationResult, language: str = "en") -> str:
         (f"{data['rms_um']['before']:.3g} → {data['rms_um']['after']:.3g} µm", words("allocation-rms")),
         (f"{data['worst_rms_um']['before']:.3g} → {data['worst_rms_um']['after']:.3g} µm", words("allocation-worst")),
     ]
+    if "quantile_um" in data:
+        change = f"{data['quantile_um']['before']:.3g} → {data['quantile_um']['after']:.3g} µm"
+        tiles.append((change, words("allocation-quantile", level=100 * result.target.level)))
     lead = words("allocation-lead", cost=data["cost"], gap=100 * max(data["gap"], 0.0))
     rows = [
         (
@@ -83,7 +90,11 @@ def report(result: AllocationResult, language: str = "en") -> str:
     front = [(f"{p.rms_um:.3g}", f"{p.cost:.4g}", f"{p.bound:.4g}") for p in steps]
     return html.page(
         words("allocation-title", machine=machine.name),
-        words(f"allocation-target-{result.target.kind.replace('_', '-')}", value=result.target.value),
+        words(
+            f"allocation-target-{result.target.kind.replace('_', '-')}",
+            value=result.target.value,
+            level=100 * result.target.level,
+        ),
         html.paragraph(lead, lead=True),
         html.tiles(tiles),
         html.section(words("allocation-table"), html.table(heads, rows)),

@@ -28,9 +28,9 @@ def sensitivity_report(
     return _Report(study, angle_unit, Words(language)).page(picture)
 
 
-def index(value: float) -> str:
-    """An index with four decimals."""
-    return f"{value:.4f}"
+def index(value: float | None) -> str:
+    """An index with four decimals; a dash for one that the objective does not have."""
+    return "–" if value is None else f"{value:.4f}"
 
 
 class _Report:
@@ -101,6 +101,11 @@ class _Report:
         square = data["mean_square_um2"]
         if square is not None:
             tiles.append((f"{math.sqrt(square):.2f} µm", words("report-tile-rms")))
+        else:
+            found = self.study.sensitivity
+            size = found.objective.size_shown(found.mean_square)
+            unit = "µm" if found.objective.length_unit == "mm" else "µrad"
+            tiles.append((f"{size:.2f} {unit}", f"Y = {found.objective.formula}"))
         tiles.append((f"{direct:.0%}", words("report-tile-direct")))
         lead = words(
             "report-lead",

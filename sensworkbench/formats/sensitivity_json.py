@@ -46,7 +46,8 @@ def moments_shown(result: Sensitivity) -> dict:
     mean = f"mean_square_{unit}2" if power == 2 else f"mean_{unit}"
     shown: dict = {"mean_square_um2": None, "variance_um4": None}
     shown[mean] = result.mean_square * scale**power
-    shown[f"variance_{unit}{2 * power}"] = result.variance * scale ** (2 * power)
+    if judged.has_shares:
+        shown[f"variance_{unit}{2 * power}"] = result.variance * scale ** (2 * power)
     return shown
 
 
@@ -98,7 +99,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
             | {
                 "first": float(result.first[i]),
                 "total": float(result.total[i]),
-                "share": float(result.share[i]),
+                "share": float(result.share[i]) if result.objective.has_shares else None,
                 "total_max": float(result.total_max[i]),
                 "first_variance_weighted": float(result.first_vw[i]),
                 "total_variance_weighted": float(result.total_vw[i]),
@@ -110,7 +111,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
             **said("name", machine.body_title(b)),
             "first": float(result.component_first[i]),
             "total": float(result.component_total[i]),
-            "share": float(result.component_share[i]),
+            "share": float(result.component_share[i]) if result.objective.has_shares else None,
             "total_max": float(result.component_total_max[i]),
             "total_variance_weighted": float(result.component_total_vw[i]),
         }
@@ -135,14 +136,16 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
         "settings": {
             "output": result.objective.output,
             "weights": list(result.objective.weights),
-            "signed": result.objective.power == 1,
+            "signed": result.objective.signed,
             "objective": result.objective.formula,
             "judged": result.objective.to_json(),
             "squareness": machine.squareness,
             "travel_mm": [list(j.span) if j.slides else None for j in machine.joints],
             "joints": [_joint(j) for j in machine.joints],
         },
-        "conventions": CONVENTIONS | {"squareness": SQUARENESS_WORDS[machine.squareness]},
+        "conventions": CONVENTIONS
+        | result.objective.conventions
+        | {"squareness": SQUARENESS_WORDS[machine.squareness]},
         "lever_arms_mm": {"position": shown} | {b: arms[b][0].tolist() for b in machine.bodies},
         "skew_deg": machine.skew_deg,
         "squareness_conventions": {name: _convention(name, c) for name, c in study.conventions.items()},

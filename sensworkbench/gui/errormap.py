@@ -31,7 +31,7 @@ def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
 
 def title(objective, what: str) -> str:
     """Return the title of the map's legend."""
-    if objective.power == 1:
+    if objective.signed:
         return (translate("Sens", "Upper estimate |E[Y]| + 2√V(Y)") if what == WORST
                 else translate("Sens", "Expected error √(E[Y]² + V(Y))"))  # fmt: skip
     if what == WORST:

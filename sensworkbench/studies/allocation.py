@@ -2,7 +2,8 @@
 """The allocation study: the cheapest tolerances with which a machine meets a target, and what each step of the target
 costs.
 
-Targets: the mean square (or rms) of the volumetric error over the workspace, or the rms at its worst place.
+Targets: the mean square (or rms) of the volumetric error over the workspace, the rms at its worst place, or a quantile
+of the error over workspace and machines.
 """
 
 from __future__ import annotations
@@ -20,27 +21,33 @@ from ..core.refusal import Refused
 from ..core.sobol import indices
 from ..core.synthesis import omega
 from ..core.units import mm, um
+from .limits import quantile_um
 
 Progress = Callable[[float], bool]
-TARGETS = ("mean_square", "rms", "worst")
+TARGETS = ("mean_square", "rms", "worst", "quantile")
 WORST_GRID = 5  # positions per joint, corners included, over which the worst place is looked for
 FRONT = 50
+STEPS = 24  # of the search for a quantile
+NEAR = 1e-4  # relative distance of a quantile from its target at which the search ends
 _UNIFORM = 1 / 3  # variance per squared half width
 
 
 @dataclass(frozen=True)
 class Target:
-    """kind : "mean_square" (um²), "rms" (um; of the mean square over the workspace) or "worst" (um; rms at the worst
-    place).  value : in that unit."""
+    """kind : "mean_square" (um²), "rms" (um; of the mean square over the workspace), "worst" (um; rms at the worst
+    place) or "quantile" (um; of |T| over workspace and machines, at `level`).  value : in that unit."""
 
     kind: str
     value: float
+    level: float = 0.95
 
     def __post_init__(self):
         if self.kind not in TARGETS:
             raise Refused("target-unknown", "--target", kind=repr(self.kind)[:60], known=list(TARGETS))
         if not (0 < self.value < 1e12):
             raise Refused("target-invalid", "--target", value=self.value)
+        if not 0.5 <= self.level <= 0.9999:
+            raise Refused("target-level", "--target", level=self.level)
 
     @property
     def mean_square(self) -> float:
@@ -49,7 +56,7 @@ class Target:
 
     def scaled(self, ratio: float) -> Target:
         """The target with its rms times `ratio`."""
-        return Target(self.kind, self.value * (ratio**2 if self.kind == "mean_square" else ratio))
+        return replace(self, value=self.value * (ratio**2 if self.kind == "mean_square" else ratio))
 
 
 @dataclass(frozen=True)
@@ -75,7 +82,8 @@ class FrontPoint:
 
 @dataclass(frozen=True)
 class AllocationResult:
-    """machine : with the allocated tolerances.  rms before and after, um: over the workspace and at the worst place."""
+    """machine : with the allocated tolerances.  rms before and after, um: over the workspace and at the worst place.
+    quantile_um : before and after, where it is the target."""
 
     machine: Machine
     target: Target
@@ -86,6 +94,7 @@ class AllocationResult:
     worst_before_um: float
     worst_after_um: float
     front: tuple[FrontPoint, ...]
+    quantile_um: tuple[float, float] | None = None
 
 
 def _places(machine: Machine, target: Target):
@@ -136,22 +145,94 @@ def allocation_study(
     Refuses a target that the tightest tolerances do not meet.  progress : as everywhere.
     """
     tell = progress or (lambda part: True)
-    problem, symbols = problem_of(machine, target, costs)
-    found = allocate(problem)
+    if target.kind == "quantile":
+        problem, symbols, found = _for_quantile(machine, target, costs, lambda part: tell(0.4 * part))
+    else:
+        problem, symbols = problem_of(machine, target, costs)
+        found = allocate(problem)
     if not tell(0.4):
         raise workspace.Cancelled("cancelled")
+    choices = _choices(machine, symbols, costs, found)
+    after = _with(machine, choices)
+    front = _front(problem, lambda part: tell(0.4 + 0.6 * part))
+    quantiles = None
+    if target.kind == "quantile":
+        quantiles = quantile_um(machine, target.level), quantile_um(after, target.level)
+    return AllocationResult(
+        after, target, choices, found,
+        _rms_um(machine, Target("rms", 1)), _rms_um(after, Target("rms", 1)),
+        _rms_um(machine, Target("worst", 1)), _rms_um(after, Target("worst", 1)), front, quantiles,
+    )  # fmt: skip
+
+
+def _choices(machine: Machine, symbols, costs, found: Allocation) -> tuple[Choice, ...]:
     before, choices = machine.all_tolerances, []
     for i, symbol in enumerate(symbols):
         law, width = before[symbol], float(found.widths[i])
         grade = "" if found.grades[i] is None else costs[symbol].grades[found.grades[i]].name
         choices.append(Choice(symbol, law, _with_half(law, width), grade, float(found.costs[i])))
-    after = replace(machine, tolerances=dict(machine.tolerances) | {c.symbol: c.after for c in choices})
-    front = _front(problem, lambda part: tell(0.4 + 0.6 * part))
-    return AllocationResult(
-        after, target, tuple(choices), found,
-        _rms_um(machine, Target("rms", 1)), _rms_um(after, Target("rms", 1)),
-        _rms_um(machine, Target("worst", 1)), _rms_um(after, Target("worst", 1)), front,
-    )  # fmt: skip
+    return tuple(choices)
+
+
+def _with(machine: Machine, choices) -> Machine:
+    return replace(machine, tolerances=dict(machine.tolerances) | {c.symbol: c.after for c in choices})
+
+
+# -- a quantile as target ----------------------------------------------------------------------------------------------
+def _for_quantile(machine: Machine, target: Target, costs, tell: Progress):
+    """(problem, symbols, allocation) of the loosest mean square whose cheapest tolerances keep the quantile.
+
+    The quantile is no convex function of the widths, so the answer is feasible and not proved the cheapest.  Its bound
+    is: no tolerances whose mean square exceeds `_largest_mean_square` keep the quantile.
+    """
+    widest = _largest_mean_square(machine, target, costs)
+    problem, symbols = problem_of(machine, Target("rms", float(um(np.sqrt(widest)))), costs)
+    bound = allocate(problem).bound
+    tightest = problem.error(np.array([c.grades[0].w if isinstance(c, GradeCost) else c.lower for c in problem.costs]))
+
+    def tried(square: float) -> tuple[float, Allocation]:
+        found = allocate(replace(problem, limit=np.full(1, square)))
+        return quantile_um(_with(machine, _choices(machine, symbols, costs, found)), target.level), found
+
+    low, high, square, best = float(tightest.max()) * (1 + 1e-9), widest, widest, None
+    for step in range(STEPS):
+        value, found = tried(square)
+        if value <= target.value:
+            low = square
+            best = found if best is None or found.cost <= best.cost else best
+            if value >= target.value * (1 - NEAR) or square == widest:
+                break
+        elif square == low:
+            raise Refused("allocation-out-of-reach", "--target", best=value, limit=target.value)
+        else:
+            high = square
+        if high < low * (1 + NEAR) and best is not None:
+            break
+        aimed = square * (target.value * (1 - NEAR / 2) / value) ** 2  # the quantile grows like the rms
+        inside = low * (1 + NEAR / 10) < aimed < high * (1 - NEAR / 10) and step < STEPS // 2
+        square = aimed if inside else low if best is None and step >= 2 else float(np.sqrt(low * high))
+        if not tell((step + 1) / STEPS):
+            raise workspace.Cancelled("cancelled")
+    return replace(problem, limit=best.error.copy()), symbols, replace(best, bound=min(bound, best.cost))
+
+
+def _largest_mean_square(machine: Machine, target: Target, costs) -> float:
+    """A mean square (mm²) that no tolerances exceed which keep the quantile.
+
+    Paley & Zygmund: P(Y > t E[Y]) >= (1 - t)² E[Y]² / E[Y²].  No law here has more than the kurtosis of the normal one,
+    so E[Y²] <= 3 E[Y]² at a place, and <= 3 k E[Y]² over places whose mean squares are at most k times their mean.
+    """
+    loosest = replace(target, kind="rms", value=1e6)
+    problem, _ = problem_of(machine, loosest, costs)
+    places, _ = problem_of(machine, replace(loosest, kind="worst"), costs)
+    loads = np.concatenate([places.load, places.fixed[:, None]], axis=1)
+    means = np.append(problem.load[0], problem.fixed[0])
+    ratio = np.divide(loads, means, out=np.zeros_like(loads), where=means > 0).max()
+    share = np.sqrt(3 * ratio * (1 - target.level))
+    largest = float(problem.error(np.array([
+        c.grades[-1].w if isinstance(c, GradeCost) else c.upper for c in problem.costs
+    ]))[0])  # fmt: skip
+    return min(largest * (1 + 1e-9), mm(mm(target.value**2)) / (1 - share)) if share < 1 else largest * (1 + 1e-9)
 
 
 def _with_half(law: Tolerance, half: float) -> Tolerance:

@@ -27,6 +27,7 @@ KINDS = (
     "straightness", "linear displacement", "angular", "squareness", "radial and axial", "axis position",
     "axis orientation", "spindle", "workpiece", "traced effects", "common sources",
 )  # fmt: skip
+MOST_JOINTS = 4  # of which a quadrature with the order of an objective is taken
 SMALL = 0.1  # total index below which Park & Yang's "hardly matter" is taken to hold
 
 
@@ -63,8 +64,11 @@ class SensitivityRequest:
             given = {k: given[k] for k in ("output", "weights")}
         return from_json(given | dict(self.objective))
 
-    def positions(self, machine: Machine, default: Positions | None = None) -> Positions:
-        """The positions that are asked for; where none are, `default` or the usual ones of the machine."""
+    def positions(
+        self, machine: Machine, default: Positions | None = None, objective: Objective | None = None
+    ) -> Positions:
+        """The positions that are asked for; where none are, `default` or the usual ones of the machine and the
+        objective."""
         if self.at is not None:
             position = [j.from_shown(v) for j, v in zip(machine.joints, self.at)]
             return workspace.at(machine, position if len(self.at) == len(machine.joints) else self.at)
@@ -74,7 +78,11 @@ class SensitivityRequest:
             return workspace.quadrature(machine, self.quadrature)
         if self.low_discrepancy is not None:
             return workspace.low_discrepancy(machine, self.low_discrepancy)
-        return workspace.default_positions(machine) if default is None else default
+        if default is not None:
+            return default
+        if objective is not None and objective.order and len(machine.joints) <= MOST_JOINTS:
+            return workspace.quadrature(machine, objective.order)
+        return workspace.default_positions(machine)
 
 
 @dataclass(frozen=True)
@@ -145,8 +153,9 @@ def sensitivity_study(
     objective, positions : used where `request` leaves them open.  Refuses if nothing varies.
     """
     machine = request.machine(machine)
-    where = request.positions(machine, positions)
-    found = workspace.sensitivity(machine, where, request.judged(objective), progress)
+    judged = request.judged(objective)
+    where = request.positions(machine, positions, judged)
+    found = workspace.sensitivity(machine, where, judged, progress)
     return completed(machine, found)
 
 

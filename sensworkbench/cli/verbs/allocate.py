@@ -15,7 +15,7 @@ FILES = "`allocation.json`, `tolerances.csv`, `front.csv`, `machine.json`, `repo
 
 def add(parser) -> None:
     common.add_machine(parser)
-    text = "mean_square=UM2 or rms=UM over the workspace, or worst=UM, the rms at its worst place"
+    text = "mean_square=UM2, rms=UM, worst=UM (rms at the worst place) or quantile=P:UM (P of all errors are smaller)"
     parser.add_argument("--target", metavar="KIND=VALUE", required=True, help=text)
     parser.add_argument("--costs", metavar="COSTS.csv", required=True, help="what each tolerance costs")
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
@@ -26,11 +26,15 @@ def _target(text: str):
     from sensworkbench.studies.allocation import Target
 
     kind, _, value = text.partition("=")
+    level, _, limit = value.partition(":")
     try:
-        number = float(value)
-    except ValueError:
+        if kind.strip() == "quantile":
+            return Target("quantile", float(limit), float(level))
+        return Target(kind.strip(), float(value))
+    except ValueError as error:
+        if isinstance(error, Refused):
+            raise
         raise Refused("target-not-a-number", "--target", text=repr(text)[:60]) from None
-    return Target(kind.strip(), number)
 
 
 def run(arguments) -> int:
