@@ -233,7 +233,7 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         positions = readings_csv.load_positions(work / "positions.csv")
         found = predict_study(outcome.machine, positions)
         files = work / "predicted.csv", work / "positions.csv"
-        readings_csv.save_predicted(*files, positions, found.error, found.extrapolated)
+        readings_csv.save_predicted(*files, positions, found.error, found.extrapolated, u=found.u)
         truth = simulate(machine, errors, squareness, new[0], new[2])
     held = {k: v.held_out["rms_um"] for k, v in outcome.error.items()}
     off = float(np.sqrt((um(found.error - truth) ** 2).sum(axis=1).mean()))

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..core.fitted import FittedModel
+from ..core.fitted import ALIGNMENT, DECLARED, EFFECT, RUN, FittedModel
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..core.shapes import Regressor, legendre
 from ..core.synthesis import omega
 from .readings import Readings
 
@@ -83,6 +84,99 @@ def _of_runs(fitted: FittedModel, positions: Readings) -> list[tuple[str, np.nda
         for label in sorted(set(labels))
         for symbol, constant in fitted.runs.get(label, {}).items()
     ]
+
+
+CHUNK = 2000  # points at a time
+
+
+def uncertainty(machine: Machine, positions: Readings, alignment: bool = True) -> np.ndarray | None:
+    """(P, 3) standard uncertainty of what `predict` gives, mm, correlations kept; None where none is known.
+
+    It is that of the systematic error: a new reading scatters about it by its own noise besides.  A rival whose columns
+    the positions lack takes no part.
+    """
+    known = None if machine.fitted is None else machine.fitted.uncertainty
+    if known is None:
+        return None
+    factor = known.matrix()
+    at = {key: i for i, key in enumerate(known.parameters)}
+    step = dict(zip(known.parameters, np.sqrt((factor**2).sum(axis=1)).tolist()))
+    effects = {e.name: e for e in machine.effects if e.enabled}
+    columns: list[tuple[int, str | int, np.ndarray]] = []  # of each parameter: symbol or axis, and what it multiplies
+    for key, i in at.items():
+        columns += [(i, *part) for part in _part(machine, key, positions, alignment, effects, step[key])]
+    others = [o for o in known.others if set(o.effect.columns) <= set(positions.columns)]
+    own = [(o.effect.component, np.sqrt(o.weight) * o.effect.values(positions.columns)) for o in others]
+    own += _apart(effects.values(), {key[1] for key in at if key[0] == EFFECT}, positions)
+    symbols = list(dict.fromkeys([s for _, s, _ in columns if isinstance(s, str)] + [s for s, _ in own]))
+    changes = [np.sqrt(o.weight) * np.array(o.changes) for o in others]
+    changes += [np.zeros(len(factor))] * (len(own) - len(others))
+    wide = np.column_stack([factor, *changes])
+    out = np.empty((positions.points, 3))
+    for begin in range(0, positions.points, CHUNK):
+        some = slice(begin, begin + CHUNK)
+        tool = None if positions.tool_offset is None else positions.tool_offset[some]
+        matrix = omega(machine, symbols, positions.q[some], tool)
+        total = np.zeros((*matrix.shape[:2], wide.shape[1]))
+        where = {s: j for j, s in enumerate(symbols)}
+        for symbol in symbols:
+            mine = [(i, v[some]) for i, s, v in columns if s == symbol]
+            if mine:
+                motion = np.stack([v for _, v in mine], axis=1) @ wide[[i for i, _ in mine]]
+                total += matrix[:, :, where[symbol], None] * motion[:, None, :]
+        for i, axis, v in columns:
+            if not isinstance(axis, str):
+                total[:, axis] += v[some, None] * wide[i]
+        for j, (symbol, v) in enumerate(own, start=factor.shape[1]):
+            total[:, :, j] += matrix[:, :, where[symbol]] * v[some, None]
+        out[some] = np.sqrt((total**2).sum(axis=2))
+    return out
+
+
+def _apart(effects, known: set[str], positions: Readings) -> list[tuple[str, np.ndarray]]:
+    """(component, (P,) uncertainty) by each coefficient of effects that the covariance lacks, such as earlier ones."""
+    out = []
+    for effect in effects:
+        if effect.name not in known and effect.u is not None:
+            vectors = effect.shape.vectors(effect.driver, positions.columns)
+            out += [(effect.component, vectors[:, j] * u) for j, u in enumerate(effect.u) if u]
+    return out
+
+
+def _part(machine: Machine, key, positions: Readings, alignment: bool, effects, step: float):
+    """(symbol, or axis of a shift at the tool; (P,) what a parameter of the covariance multiplies), none or one."""
+    group, count = key[0], positions.points
+    if group == DECLARED:
+        symbol, order = key[1:]
+        series = machine.fitted.series.get(symbol)
+        if series is None:
+            return [(symbol, np.ones(count))] if symbol in machine.fitted.constants else []
+        joint = machine.joint(machine.component(symbol).body)
+        place = joint.to_shown(positions.q[:, machine.names.index(joint.name)])
+        return [(symbol, legendre(place, order, series.domain, start=order)[:, 0])]
+    if group == EFFECT:
+        effect = effects.get(key[1])
+        if effect is None:
+            return []
+        regressor = Regressor(effect.driver, effect.shape)
+        if len(key) == 4:
+            return [(effect.component, regressor.vectors(positions.columns)[:, key[3]])]
+        limit = 0.3 * abs(effect.shape.values[key[2]])
+        step = min(step, limit) if limit > 0 and not effect.shape.sudden else step
+        slope = regressor.slope(positions.columns, effect.coefficients, key[2], max(step, 1e-12))
+        return [(effect.component, slope)]
+    if not alignment:
+        return []
+    if group == ALIGNMENT:
+        return [(key[1], np.ones(count))]
+    if group == RUN:
+        if positions.run is None:
+            return []
+        return [(key[2], (np.array([str(r) for r in positions.run]) == key[1]).astype(float))]
+    if positions.tool_offset is None or key[1] >= len(machine.fitted.tools):
+        return []
+    offset = np.asarray(machine.fitted.tools[key[1]].offset)
+    return [(key[2], (np.abs(positions.tool_offset - offset).max(axis=1) < 1e-3).astype(float))]
 
 
 def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:

@@ -13,7 +13,6 @@ import numpy as np
 
 from ..core.errors import component
 from ..core.machine import Machine
-from ..core.parameters import Levels
 from ..core.synthesis import omega
 from ..core.units import um
 from ..core.workspace import Cancelled, sensitivity
@@ -23,6 +22,7 @@ from .catalogue import describe, physical
 from .catalogue import not_testable as lacking
 from .design import ALL_SYMBOLS
 from .effects import to_effect
+from .estimates import Estimates
 from .fit import Fit, null_space
 from .problem import State, Step
 from .remainder import Rest
@@ -45,6 +45,7 @@ from .rivals import aliases, driven_by, rivals, separating_measurement
 from .scan import exact_gain
 from .search import ScoredTerm, surface_candidate
 from .signs import flipped_remark
+from .uncertainty import settled
 
 MOST_ADVICE = 6
 
@@ -57,8 +58,10 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
     final = _Final(state, declared, full, left)
     problem = state.problem
     effects = final.effects
-    machine = scores.fitted_machine(problem.machine, final.full, problem.readings, effects)
     found = [rivals(state, step, final.others(step)) for step in final.named]
+    uncertainty = final.estimates.stored(effects, found)
+    u = final.estimates.term_u(uncertainty)
+    machine = scores.fitted_machine(problem.machine, final.full, problem.readings, effects, u, uncertainty)
     if not tell(0.85, "rivals are compared"):
         raise Cancelled("cancelled")
     error, residuals = final.before_and_after
@@ -67,7 +70,7 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
         floor=state.settings.floor,
         seed=problem.seed,
         permutations=problem.permutations,
-        effects=tuple(_named(final, *item) for item in zip(final.named, effects, found)),
+        effects=tuple(_named(final, i, *item) for i, item in enumerate(zip(final.named, effects, found))),
         hidden=None if left.hidden is None else _hidden(state, left.hidden),
         error=error,
         noise=checks.noise_summary(final.full, problem.readings, residuals["augmented"], state.settings),
@@ -93,7 +96,7 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
         remarks=tuple(flipped_remark(kind) for kind in flipped),
         alignment=problem.readings.alignment,
         guarantee=checks.guarantee(state),
-        evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(final.full)),
+        evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(uncertainty)),
         log=state.log,
     )
     tell(1.0, "done")
@@ -106,8 +109,19 @@ class _Final:
 
     state: State
     declared: Fit
-    full: Fit
+    found: Fit
     left: Rest
+
+    @cached_property
+    def full(self) -> Fit:
+        """The fit of the model; what the readings leave open is as the tolerances make most probable."""
+        problem = self.state.problem
+        return settled(self.found, problem.machine, problem.readings, problem.columns_of(self.model))
+
+    @cached_property
+    def estimates(self) -> Estimates:
+        """Coefficients and parameters of the model with their uncertainty."""
+        return Estimates(self.state, self.full, tuple(self.fitted))
 
     @cached_property
     def model(self) -> list[ScoredTerm]:
@@ -145,42 +159,20 @@ class _Final:
         """The model as effects of the machine, each under its own name."""
         out, names = [], set()
         readings = self.state.problem.readings
-        for i, (c, block) in enumerate(zip(self.fitted, self.blocks)):
+        for i, c in enumerate(self.fitted):
             motion = c.vectors(readings.columns) @ c.coefficients
             if i < len(self.named):
-                name, uncertainty = str(describe(c.symbol, c.driver, c.shape)), self._uncertainty(c, i)
+                name = str(describe(c.symbol, c.driver, c.shape))
             else:
-                name, uncertainty = f"unnamed remainder: {c.symbol} by {c.driver.words('and')}", {}
+                name = f"unnamed remainder: {c.symbol} by {c.driver.words('and')}"
             while name in names:
                 name += " (again)"
             names.add(name)
             reach = (float(motion.min()), float(motion.max()))
             driven = c.driver.values(readings.columns)
             extent = (float(driven.min()), float(driven.max()))
-            covariance = self.full.covariance[block, block]
-            out.append(to_effect(name, c, covariance, uncertainty, readings.units, reach, extent))
-        return out
-
-    def _uncertainty(self, c: ScoredTerm, i: int) -> dict[str, float]:
-        """Standard uncertainty of the parameters that were searched for, from the curvature of chi-square."""
-        columns = self.state.problem.readings.columns
-        rows = self.state.rows_with(self.full, [m for j, m in enumerate(self.model) if j != i])
-        driven = c.driver.values(columns)
-        out = {}
-        for key in c.shape.fitted:
-            value, search = c.shape.values[key], c.shape.parameters[key].search
-            if isinstance(search, Levels):
-                times = np.unique(driven)
-                k = int(np.searchsorted(times, value))
-                out[key] = float((times[min(k, len(times) - 1)] - times[max(k - 1, 0)]) / np.sqrt(12))
-                continue
-
-            def gain(v, key=key):
-                return exact_gain(rows, c.index, c.regressor.having(**{key: v}).vectors(columns))[0]
-
-            step = search.step(value, float(np.ptp(driven)))
-            curve = (2 * gain(value) - gain(value + step) - gain(value - step)) / step**2
-            out[key] = float(np.sqrt(2 / curve)) if curve > 0 else float(value)
+            covariance, u = self.estimates.coefficient_covariance(i), self.estimates.parameter_u(i)
+            out.append(to_effect(name, c, covariance, u, readings.units, reach, extent))
         return out
 
     # -- before and after ------------------------------------------------------------------------------------------
@@ -283,7 +275,7 @@ class _Final:
         for i, term in enumerate(full.design.terms):
             if term.group != "declared" or not (full.determined[i] and declared.determined[i]):
                 continue
-            u = float(np.sqrt(max(full.covariance[i, i], 0.0)))
+            u = float(self.estimates.spread.u[i])
             before, after = float(declared.coefficients[i]), float(full.coefficients[i])
             if u > 0 and abs(after - before) > u:
                 out.append(ParameterShift(term.title, before, after, u, component(term.symbol).angular))
@@ -317,15 +309,17 @@ class _Final:
         return tuple(Outlier(int(lines[p]), tuple(readings.q[p].tolist())) for p in points)
 
 
-def _named(final: _Final, step: Step, effect, around) -> NamedEffect:
+def _named(final: _Final, number: int, step: Step, effect, around) -> NamedEffect:
     c = step.candidate
+    amplitude, amplitude_u = final.estimates.amplitude(number)
     match = physical(c.symbol, c.driver, c.shape)
     periods = tuple(aliases(final.state, c, final.others(step))) if c.shape.wave else ()
     note = Message("finding-aliased", periods=[c.shape.period, *periods]) if periods else None
     return NamedEffect(
         effect=effect,
         title=describe(c.symbol, c.driver, c.shape),
-        amplitude=final.state.problem.amplitude(c),
+        amplitude=amplitude,
+        amplitude_u=amplitude_u,
         p=step.p,
         selection=step.selection,
         gain=step.gain,

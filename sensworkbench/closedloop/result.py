@@ -40,7 +40,8 @@ class Rival:
 class NamedEffect:
     """An effect that keeps its name.
 
-    effect : as stored in the machine.  title : what it is.  amplitude : 3-D rms over the points, mm.  p : family-wise.
+    effect : as stored in the machine.  title : what it is.  amplitude, amplitude_u : 3-D rms over the points and its
+    standard uncertainty, mm.  p : family-wise.
     selection : share of half-samples that choose it.  gain : held out (total, standard error), chi-square.  visible :
     share that the declared model cannot imitate.  size : rms per reading over its noise.  catalogue : key of the named
     effect that it is, or "".  usual, check : its usual size and what to look at on the machine, or None.
@@ -61,6 +62,7 @@ class NamedEffect:
     check: Message | None = None
     aliases: tuple[float, ...] = ()
     note: Message | None = None
+    amplitude_u: float | None = None
 
 
 @dataclass(frozen=True)

@@ -8,19 +8,26 @@ from dataclasses import replace
 import numpy as np
 
 from ..core.errors import SQUARENESS, component
-from ..core.fitted import Constant, FittedModel, Series, ToolError
+from ..core.fitted import DECLARED, EFFECT, Constant, FittedModel, Series, ToolError, Uncertainty, scale_of
 from ..core.machine import Machine
 from . import evidence
-from .design import ALIGNMENT, tool_labels
+from .design import ALIGNMENT, Term, tool_labels
 from .fit import Fit
 from .readings import Readings
 
 SHIFTS = ("EXW", "EYW", "EZW")
 
 
-def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -> Machine:
-    """The machine with declared errors, alignment and offsets as fitted, and `effects` added."""
-    errors = np.sqrt(np.maximum(np.diag(fitted.covariance), 0.0))
+def fitted_machine(
+    machine: Machine, fitted: Fit, readings: Readings, effects, errors=None, uncertainty=None
+) -> Machine:
+    """The machine with declared errors, alignment and offsets as fitted, and `effects` added.
+
+    errors : (terms,) standard uncertainties, NaN where not determined (default: those of the fit).  uncertainty : the
+    `core.fitted.Uncertainty` that the machine keeps.
+    """
+    if errors is None:
+        errors = np.sqrt(np.maximum(np.diag(fitted.covariance), 0.0))
     series: dict[str, Series] = {}
     constants: dict[str, Constant] = {}
     alignment: dict[str, Constant] = {}
@@ -28,7 +35,7 @@ def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -
     tools: dict[str, list[float]] = {}
     for i, term in enumerate(fitted.design.terms):
         value = float(fitted.coefficients[i])
-        u = float(errors[i]) if fitted.determined[i] else None
+        u = float(errors[i]) if fitted.determined[i] and np.isfinite(errors[i]) else None
         if term.group == "run":
             runs.setdefault(term.symbol, {})[ALIGNMENT[term.order]] = Constant(value)
         elif term.group == "tool":
@@ -57,16 +64,32 @@ def fitted_machine(machine: Machine, fitted: Fit, readings: Readings, effects) -
             ToolError(offset, tuple(tools.get(str(i), (0.0, 0.0, 0.0)))) for i, offset in enumerate(labels, start=1)
         ),
         ranges={k: (float(v.min()), float(v.max())) for k, v in readings.columns.items()},
+        uncertainty=uncertainty,
     )
     return replace(machine, fitted=model, effects=tuple(machine.effects) + tuple(effects))
 
 
-def covariance_table(fitted: Fit) -> tuple[list[str], np.ndarray]:
-    """(labels, covariance) of the declared terms in um and urad (zero rows where not determined)."""
-    terms = fitted.design.terms
-    scale = np.array([1e6 if t.angular else 1e3 for t in terms], dtype=float)
-    n = len(terms)
-    return [f"{t.group} {t.label}" for t in terms], fitted.covariance[:n, :n] * np.outer(scale, scale)
+def covariance_table(known: Uncertainty) -> tuple[list[str], np.ndarray]:
+    """(labels, covariance) of all parameters of a fit, um, urad and the units of parameters of shapes.
+
+    What the choice among names adds is in it.
+    """
+    labels, scales = [], []
+    for key in known.parameters:
+        group, *rest = key
+        if group == DECLARED:
+            label = str(Term(group, *rest).title)
+        elif group == EFFECT:
+            label = f"{rest[0]}: {rest[1] if len(key) == 3 else f'{rest[1]} {rest[2]}'}"
+        else:
+            label = " ".join(str(r) for r in rest)
+        labels.append(f"{group} {label}")
+        scales.append(1 / scale_of(key))
+    factor = np.concatenate(
+        [known.matrix(), *(np.sqrt(o.weight) * np.array(o.changes)[:, None] for o in known.others)], axis=1
+    )
+    scaled = factor * np.array(scales)[:, None]
+    return labels, scaled @ scaled.T
 
 
 def metrics(error_um: np.ndarray, readings: Readings, use=None) -> dict:

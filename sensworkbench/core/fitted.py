@@ -6,12 +6,17 @@ Everything is in mm and rad; files and their units are read and written by `form
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from .effects import Effect
+from .errors import Component, component
 from .shapes import to_domain
+
+DECLARED, ALIGNMENT, RUN, TOOL, EFFECT = "declared", "alignment", "run", "tool", "effect"
+DIGITS = 9  # of a number of the covariance in a file
 
 
 @dataclass(frozen=True)
@@ -57,13 +62,73 @@ class ToolError:
 
 
 @dataclass(frozen=True)
+class OtherName:
+    """An explanation that the readings cannot tell from an effect that was named.
+
+    effect : it, with the coefficients of a fit that holds it instead.  weight : its probability.  changes : (n,) by
+    which the parameters of the model change in that fit.
+    """
+
+    effect: Effect
+    weight: float
+    changes: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Uncertainty:
+    """Covariance of all that a fit found: factor times its transpose, and what the choice among names adds.
+
+    parameters : (n,) keys: ("declared", "EXX", order), ("alignment", "EXW"), ("run", label, "EXW"), ("tool", number
+    from 0, axis 0 to 2), ("effect", name, component, number of a coefficient from 0), ("effect", name, parameter of its
+    shape).
+    factor : n rows of at most k numbers, zeros at the end of a row left out; mm, rad and internal units of drivers.
+    """
+
+    parameters: tuple[tuple, ...]
+    factor: tuple[tuple[float, ...], ...]
+    others: tuple[OtherName, ...] = ()
+
+    def matrix(self) -> np.ndarray:
+        """(n, k) the factor."""
+        width = max((len(r) for r in self.factor), default=0)
+        return np.array([[*row, *[0.0] * (width - len(row))] for row in self.factor]).reshape(-1, width)
+
+
+def scale_of(key: tuple, known: Callable[..., Component] = component) -> float:
+    """Unit, in a file, of the parameter of a key of `Uncertainty`: um 1e-3, urad 1e-6; 1 of a parameter of a shape.
+
+    known : the look-up of a symbol among a machine's components.
+    """
+    place = {DECLARED: 1, ALIGNMENT: 1, RUN: 2, EFFECT: 2 if len(key) == 4 else None}.get(key[0])
+    if place is None:
+        return 1e-3 if key[0] == TOOL else 1.0
+    return known(key[place]).from_shown(1.0)
+
+
+def uncertainty_of(parameters, factor, others=()) -> Uncertainty:
+    """The `Uncertainty` of a factor (n, k), rounded as a file holds it; zeros at the ends of its rows are left out."""
+    scales = [scale_of(key) for key in parameters]
+    rows = []
+    for row, scale in zip(np.asarray(factor, dtype=float), scales):
+        values = [float(f"{v / scale:.{DIGITS}g}") * scale for v in row.tolist()]
+        while values and values[-1] == 0.0:
+            values.pop()
+        rows.append(tuple(values))
+    others = [
+        replace(o, changes=tuple(float(f"{v / s:.{DIGITS}g}") * s for v, s in zip(o.changes, scales))) for o in others
+    ]
+    return Uncertainty(tuple(parameters), tuple(rows), tuple(others))
+
+
+@dataclass(frozen=True)
 class FittedModel:
     """Fitted errors of a machine and of the set-up that measured it.
 
     series : error functions by symbol.  constants : squareness, and axis errors that were given as one number.
     alignment : of the set-up by symbol (EXW .. ECW).  runs : label -> symbol -> Constant, what each run adds to it.
     tools : per tool.  ranges : column -> (lowest, highest) of the readings.  covariance : name of the .npz file beside
-    the machine's, or None.  extra : keys "x-..." of the file, kept.
+    the machine's, or None.  uncertainty : covariance of all of it and of the effects of the machine, or None where it
+    is not known.  extra : keys "x-..." of the file, kept.
     """
 
     series: Mapping[str, Series] = field(default_factory=dict)
@@ -73,6 +138,7 @@ class FittedModel:
     tools: tuple[ToolError, ...] = ()
     ranges: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     covariance: str | None = None
+    uncertainty: Uncertainty | None = None
     extra: Mapping = field(default_factory=dict)
 
     @property
@@ -99,4 +165,4 @@ class FittedModel:
                 series[symbol] = value
             elif value is not None:
                 constants[symbol] = value
-        return replace(self, series=series, constants=constants, covariance=None)
+        return replace(self, series=series, constants=constants, covariance=None, uncertainty=None)

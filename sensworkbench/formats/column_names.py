@@ -43,10 +43,11 @@ KINDS = {
 }
 POSITION = ("x", "y", "z")
 ERROR = ("ex", "ey", "ez")
+PREDICTED_U = ("u_ex", "u_ey", "u_ez")  # of a prediction
 NORMAL = ("nx", "ny", "nz")
 DIRECTION = ("dir_x", "dir_y", "dir_z")
 TOOL = ("tool_dx", "tool_dy", "tool_dz")
-BASES = dict.fromkeys((*POSITION, *ERROR, *TOOL, "reading", "u"), "length")
+BASES = dict.fromkeys((*POSITION, *ERROR, *PREDICTED_U, *TOOL, "reading", "u"), "length")
 BASES |= dict.fromkeys((*NORMAL, *DIRECTION, "run"), "none")
 BASES |= {"t": "time", "feed": "speed", "spindle": "rotation"}
 FAMILIES = {"temp_": "temperature", "load_": "mass"}

@@ -66,6 +66,11 @@ def of_parameters(
     return _effect(Place(parts, (), {}, where), name, known(symbol, where), {})
 
 
+def of_place(entry: Place, name: str, c: Component) -> Effect:
+    """The effect of a place that holds "driver", "shape" and "parameters" as version 1 does, on a component."""
+    return _effect(entry, name, c, {})
+
+
 def _effect(entry: Place, name: str, c: Component, units) -> Effect:
     with _placed(entry["driver"]):
         driver, order = Driver.parse_in_order(entry["driver"].string())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The "fitted" part of machine.json: read into a `core.fitted.FittedModel` in mm and rad, and written in um and urad.
 
-What a fit stores beside the errors (`x-tools`, `x-ranges`) is checked like everything else; other "x-" keys are kept.
-A model that was read from a file is equal to itself after it was written and read again.
+What a fit stores beside the errors (`x-tools`, `x-ranges`, `x-uncertainty`) is checked like everything else; other "x-"
+keys are kept.  A model that was read from a file is equal to itself after it was written and read again.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from sensworkbench.core.errors import Component, component
 from sensworkbench.core.fitted import Constant, FittedModel, Series, ToolError
 from sensworkbench.core.units import factor
 
+from . import uncertainty_json
 from .json_text import Place, parse, short
 
 Known = Callable[..., Component]
@@ -64,6 +65,8 @@ def read(place: Place, known: Known = component) -> FittedModel:
             more["tools"] = tuple(_tool(e) for e in entry.elements())
         elif key == "x-ranges":
             more["ranges"] = {name: _range(value) for name, value in entry.members()}
+        elif key == uncertainty_json.KEY:
+            more["uncertainty"] = uncertainty_json.read(entry, known)
         elif key.startswith("x-"):
             extra[key] = entry.value
         else:
@@ -177,6 +180,8 @@ def to_dict(model: FittedModel, known: Known = component) -> dict:
         out["x-ranges"] = {name: list(r) for name, r in model.ranges.items()}
     if model.covariance is not None:
         out["covariance"] = model.covariance
+    if model.uncertainty is not None:
+        out[uncertainty_json.KEY] = uncertainty_json.to_dict(model.uncertainty, known)
     return out | dict(model.extra)
 
 

@@ -13,17 +13,18 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import um
 
 from . import column_names, csv_table
-from .column_names import ERROR
+from .column_names import ERROR, PREDICTED_U
 from .file_sets import staged_file
 from .files import write_text
 from .readings_conventions import question
 
 
-def save_predicted(path, source, positions: Readings, error, extrapolated=None, mapping=None) -> None:
+def save_predicted(path, source, positions: Readings, error, extrapolated=None, mapping=None, u=None) -> None:
     """The table `source` (a POSITIONS file) with ex_um, ey_um, ez_um behind, in the order of that file, atomically.
 
     positions : what `load_positions(source)` gave.  error : (P, 3) mm, in the order of `positions` (actual minus
-    commanded).  extrapolated : (P,) truth, written as 0 or 1.  Separator and decimal sign stay those of the file.
+    commanded).  u : (P, 3) mm its standard uncertainty, written as u_ex_um, u_ey_um, u_ez_um; NaN: an empty cell; None:
+    no such columns.  extrapolated : (P,) truth, written as 0 or 1.  Separator and decimal sign stay those of the file.
     """
     table = csv_table.read(source)
     error = np.asarray(error, dtype=float)
@@ -33,7 +34,7 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
     decimal_comma = any(_has_decimal_comma(table, j) for j in range(len(table.names)))
     number = (lambda v: f"{v:.6f}".replace(".", ",")) if decimal_comma else (lambda v: f"{v:.6f}")
     ours = {v: k for k, v in (mapping or {}).items() if isinstance(v, str)}
-    results = {*ERROR, "extrapolated"}
+    results = {*ERROR, *PREDICTED_U, "extrapolated"}
     names = [ours.get(name, name) for name in table.names]
     kept = [j for j, n in enumerate(names) if n and column_names.parse(n).base not in results]
     header = [csv_table.safe_cell(names[j]) for j in kept] + ["ex_um", "ey_um", "ez_um"]
@@ -43,6 +44,10 @@ def save_predicted(path, source, positions: Readings, error, extrapolated=None, 
             header.insert(len(kept), key)
             columns.append([f"{value:g}".replace(".", ",") if decimal_comma else f"{value:g}"] * table.rows)
     columns += [[number(v) for v in um(error[order, i])] for i in range(3)]
+    if u is not None:
+        header += [f"{name}_um" for name in PREDICTED_U]
+        values = um(np.asarray(u, dtype=float)[order])
+        columns += [["" if np.isnan(v) else number(v) for v in values[:, i]] for i in range(3)]
     if extrapolated is not None:
         header.append("extrapolated")
         columns.append([str(int(v)) for v in np.asarray(extrapolated, dtype=bool)[order]])

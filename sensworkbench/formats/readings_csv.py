@@ -18,7 +18,7 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.messages import Message
 
 from . import column_names, csv_table
-from .column_names import DIRECTION, ERROR, NORMAL, TOOL
+from .column_names import DIRECTION, ERROR, NORMAL, PREDICTED_U, TOOL
 from .csv_table import Table
 from .json_text import short
 from .predicted_csv import save_predicted
@@ -30,7 +30,7 @@ __all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_pred
 THREE_AXES = tuple(linear(k, u, (0, 0, 0), (0, 1)) for k, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))))
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
 FEW_ROWS = 12
-NOT_DRIVERS = frozenset((*ERROR, *NORMAL, "reading", "u"))
+NOT_DRIVERS = frozenset((*ERROR, *NORMAL, *PREDICTED_U, "reading", "u"))
 MAX_GAPS = 0.1  # a driver with more empty cells than this is left out as a column, otherwise its empty rows are
 
 
@@ -189,7 +189,7 @@ class _Reader:
             self.run = np.array(table.cells[j], dtype=str)
             self._report_empty(base, [not c for c in table.cells[j]], "empty-run")
             return
-        if not measured and base in (*ERROR, *NORMAL, "reading", "u"):
+        if base in PREDICTED_U or (not measured and base in (*ERROR, *NORMAL, "reading", "u")):
             self._note("info", "reading-ignored", table.names_line, column=short(written))
             return
         if name.kind == "unknown" and self._is_category(j, written):

@@ -144,6 +144,7 @@ def _effect(e: NamedEffect) -> dict:
         "shape": e.effect.shape.name,
         "parameters": {k: v.to_dict() for k, v in shown(e.effect, component(e.effect.component), exact=False).items()},
         "amplitude_um": e.amplitude * 1e3,
+        **({} if e.amplitude_u is None else {"amplitude_u_um": e.amplitude_u * 1e3}),
         "p_familywise": e.p,
         "selection_frequency": e.selection,
         "held_out_gain_chi2": {"value": e.gain[0], "u": e.gain[1]},

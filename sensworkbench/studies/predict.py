@@ -22,10 +22,20 @@ class PredictRequest:
 
 @dataclass(frozen=True)
 class PredictResult:
-    """error : (P, 3) mm, actual minus commanded.  extrapolated : (P,) whether a place lies outside the fit's ranges."""
+    """error : (P, 3) mm, actual minus commanded.  extrapolated : (P,) whether a place lies outside the fit's ranges.
+
+    u : (P, 3) mm standard uncertainty of the error, which is systematic: a new reading scatters about it besides.  NaN
+    where the machine's file states no covariance.
+    """
 
     error: np.ndarray
     extrapolated: np.ndarray
+    u: np.ndarray
+
+    @property
+    def u_known(self) -> bool:
+        """Whether the machine states the covariance of what was fitted."""
+        return bool(np.isfinite(self.u).all())
 
 
 def predict_study(machine: Machine, positions: Readings, request: PredictRequest = PredictRequest()) -> PredictResult:
@@ -34,4 +44,7 @@ def predict_study(machine: Machine, positions: Readings, request: PredictRequest
     """
     within_travel(machine, positions)
     error = predict.predict(machine, positions, alignment=request.alignment)
-    return PredictResult(error, predict.extrapolated(machine, positions))
+    u = predict.uncertainty(machine, positions, alignment=request.alignment)
+    if u is None:
+        u = np.full_like(error, np.nan)
+    return PredictResult(error, predict.extrapolated(machine, positions), u)

@@ -11,6 +11,7 @@ import pytest
 from sensworkbench.closedloop import scores
 from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.effects import to_effect
+from sensworkbench.closedloop.estimates import Estimates
 from sensworkbench.closedloop.predict import extrapolated, needed_columns, predict
 from sensworkbench.closedloop.problem import Problem, State
 from sensworkbench.closedloop.readings import Readings
@@ -173,9 +174,12 @@ def test_uncertainties_are_stored_for_what_is_determined_and_for_nothing_else():
     fitted, _ = augmented(tracer, [])
     assert all(u is None for u in fitted.fitted.series["EAZ"].u[1:])  # no lever arm: nothing printed for it
     assert all(u > 0 for u in fitted.fitted.series["EAX"].u[1:])
-    names, covariance = scores.covariance_table(tracer.fit_with([]))
-    at = names.index("declared EAX (order 1)")
-    assert np.sqrt(covariance[at, at]) == pytest.approx(1e6 * fitted.fitted.series["EAX"].u[1], rel=1e-9)
+    full = tracer.fit_with([])
+    names, covariance = scores.covariance_table(Estimates(tracer, full, ()).stored([], []))
+    at, hidden = (names.index(f"declared {symbol} (order 1)") for symbol in ("EAX", "EAZ"))
+    assert np.sqrt(covariance[at, at]) == pytest.approx(1e6 * fitted.fitted.series["EAX"].u[1], rel=0.2)  # white noise
+    limits = machine.all_tolerances["EAZ"]  # of what no reading shows, only the tolerance is known
+    assert np.sqrt(covariance[hidden, hidden]) == pytest.approx(1e6 * np.sqrt(limits.moments[1]), rel=1e-6)
 
 
 def test_a_tool_that_no_reading_had_is_marked():

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from sensworkbench.core.refusal import Refused
+from sensworkbench.messages import Message
 
 from .. import common
 
@@ -14,7 +15,7 @@ FILES = "a table"
 def add(parser) -> None:
     common.add_machine(parser, metavar="MACHINE_AUGMENTED", help="what trace wrote")
     parser.add_argument("positions", metavar="POSITIONS.csv", help="the columns of measured.csv without readings")
-    parser.add_argument("--out", metavar="FILE", required=True, help="the positions with ex_um, ey_um, ez_um")
+    parser.add_argument("--out", metavar="FILE", required=True, help="the positions with ex_um … and u_ex_um …")
     common.add_mapping(parser)
     text = "leave out the fitted alignment and offsets"
     parser.add_argument("--no-alignment", action="store_true", help=text)
@@ -34,5 +35,7 @@ def run(arguments) -> int:
         place = arguments.positions if machine.fitted is not None else arguments.machine
         raise refused.at(str(place)) from None
     out, extrapolated = arguments.out, found.extrapolated
-    readings_csv.save_predicted(out, arguments.positions, positions, found.error, extrapolated, mapping)
+    readings_csv.save_predicted(out, arguments.positions, positions, found.error, extrapolated, mapping, found.u)
+    if not found.u_known:
+        common.say(str(Message("predict-no-uncertainty", machine=str(arguments.machine))))
     return common.say_paths([arguments.out])

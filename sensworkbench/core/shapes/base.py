@@ -257,6 +257,19 @@ class Regressor:
         """Return the same driver with other parameters of the shape."""
         return Regressor(self.driver, self.shape.having(**changes))
 
+    def slope(self, columns, coefficients, name: str, step: float) -> np.ndarray:
+        """(P,) change of its columns times `coefficients` (m,) per unit of the parameter `name`, over a step to either
+        side; a parameter that has a lower limit stays above it.
+        """
+        parameter, value = self.shape.parameters[name], self.shape.values[name]
+        limit = parameter.least if parameter.above is None else parameter.above
+        low, high = value - step, value + step
+        if low <= limit:
+            low = (value + limit) / 2
+        high = min(high, parameter.most)
+        ends = [self.having(**{name: v}).vectors(columns) @ np.asarray(coefficients) for v in (low, high)]
+        return (ends[1] - ends[0]) / (high - low)
+
     def joined(self, other: Regressor, columns) -> Regressor | None:
         """One for two that are parts of one, or None."""
         for a, b in ((self, other), (other, self)):
