@@ -80,7 +80,9 @@ class Estimates:
         for _ in range(ROUNDS if self.searched else 1):
             slopes = [self._slope(i, key, steps[i, key]) for i, key in self.searched]
             extra = np.stack(slopes, axis=1) if slopes else None
-            found = spread(self.full, problem.readings, effects, extra, with_effects(prior, self.full.extra, widths))
+            wide = with_effects(prior, self.full.extra, widths)
+            known = None if found is None else found.noise
+            found = spread(self.full, problem.readings, effects, extra, wide, known)
             for j, (i, key) in enumerate(self.searched):
                 u = float(np.sqrt((found.factor[first + j] ** 2).sum()))
                 c = self.model[i]

@@ -24,17 +24,21 @@ SMALLEST = 1e-9  # mm or rad: of an error whose tolerance is zero
 NEGLIGIBLE = 0.02  # correlation that changes no uncertainty by more than 2 %
 LAGS = 40
 FEW = 8  # rows of one direction, of which no correlation is taken
-EXACT = 20_000  # rows up to which the share that a fit takes from a correlation is computed, not estimated
+EXACT = 3000  # rows up to which the share that a fit takes from a correlation is computed, not estimated
 DECAYS = (0.2, 0.4, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97, 0.985, 0.995)
 
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of whitened rows, per direction of sensing: variance, and correlation share * decay^lag."""
+    """Noise of whitened rows, per direction of sensing: variance, and correlation share * decay^lag.
+
+    error : standard uncertainty of the decay, where it is known.
+    """
 
     variance: dict[int, float]
     share: dict[int, float]
     decay: dict[int, float]
+    error: dict[int, float]
 
 
 @dataclass(frozen=True)
@@ -201,53 +205,65 @@ def _averaged(line: _Line, q, decay: float, error: float) -> np.ndarray:
     return out / 2 + (ends[0] + ends[1]) / 4
 
 
-def noise_model(fitted: Fit, readings: Readings, ortho) -> tuple[NoiseModel, np.ndarray]:
-    """(the noise of the whitened rows, (m, m) sum over directions of Qᵀ V Q) for an orthonormal basis Q (R, m).
+def _correlation(q, r, line: _Line, others) -> tuple[float, float, float]:
+    """(share, decay, its standard uncertainty) of the noise whose residuals are r (N,); see `_memory`.
+
+    A negative correlation counts only beyond 2.5 standard errors.
+    """
+    count = len(r)
+    if count < FEW:
+        return 0.0, 0.0, 0.0
+    found = _correlations(r, line, int(min(LAGS, max(count // 5, 1))))
+    left = max(count - float((q**2).sum()), 0.1 * count)
+    drift = _drift(found * count / left + (1 + 3 * max(found[0], 0.0)) / count, count)
+    if drift is not None:
+        return (*drift, 0.0)
+    first, error = found[0] * count / left + 1 / count, 1 / np.sqrt(count)
+    if count <= EXACT:
+        first, error = _memory(q, r, line, others)
+    if -2.5 * error < first < 0:
+        return 0.0, 0.0, 0.0
+    return 1.0, float(np.clip(first, -0.6, LARGEST)), error
+
+
+def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None = None):
+    """(`NoiseModel` of the whitened rows, (m, m) sum over directions of Qᵀ V Q) for an orthonormal basis Q (R, m).
 
     Variance and correlation are those whose residuals look as those of the fit do: what a fit takes from correlated
-    noise is counted.  A negative correlation counts only beyond 2.5 standard errors.
+    noise is counted.  known : correlations of it are used instead.
     """
     residual = fitted.white(fitted.residual)
-    variance, shares, decays, errors = {}, {}, {}, {}
+    noise = NoiseModel({}, {}, {}, {})
     lines = _lines(fitted, readings)
     plain = {k: ortho[line.rows].T @ ortho[line.rows] for k, line in lines.items()}
     whole = sum(plain.values())
     total = np.zeros((ortho.shape[1], ortho.shape[1]))
     for kind, line in lines.items():
-        variance[kind], shares[kind], decays[kind] = 1.0, 0.0, 0.0
         inner, count = plain[kind], len(line.rows)
         q, r = ortho[line.rows], residual[line.rows]
-        if count >= FEW:
-            found = _correlations(r, line, int(min(LAGS, max(count // 5, 1))))
-            left = max(count - float(np.trace(inner)), 0.1 * count)
-            drift = _drift(found * count / left + (1 + 3 * max(found[0], 0.0)) / count, count)
-            if drift is not None:
-                shares[kind], decays[kind] = drift
-            else:
-                first, spread_of = found[0] * count / left + 1 / count, 1 / np.sqrt(count)
-                if count <= EXACT:
-                    first, spread_of = _memory(q, r, line, whole - inner)
-                if not -2.5 * spread_of < first < 0:
-                    shares[kind], decays[kind] = 1.0, float(np.clip(first, -0.6, LARGEST))
-                    errors[kind] = spread_of
-            if abs(shares[kind] * decays[kind]) > NEGLIGIBLE:
-                turned = _averaged(line, q, decays[kind], errors.get(kind, 0.0))
-                inner = (1 - shares[kind]) * inner + shares[kind] * turned
-            else:
-                shares[kind] = decays[kind] = 0.0
-            free = max(count - float(np.trace(inner)), 0.1 * count)
-            variance[kind] = float(r @ r) / free
-        total += variance[kind] * inner
-    return NoiseModel(variance, shares, decays), (total + total.T) / 2
+        if known is None:
+            share, decay, error = _correlation(q, r, line, whole - inner)
+        else:
+            share, decay, error = known.share[kind], known.decay[kind], known.error[kind]
+        if abs(share * decay) > NEGLIGIBLE:
+            inner = (1 - share) * inner + share * _averaged(line, q, decay, error)
+        else:
+            share = decay = 0.0
+        free = max(count - float(np.trace(inner)), 0.1 * count)
+        noise.variance[kind] = float(r @ r) / free if count >= FEW else 1.0
+        noise.share[kind], noise.decay[kind], noise.error[kind] = share, decay, error
+        total += noise.variance[kind] * inner
+    return noise, (total + total.T) / 2
 
 
 # -- the covariance ----------------------------------------------------------------------------------------------------
-def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None) -> Spread:
+def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None, noise=None) -> Spread:
     """The covariance of the coefficients of a fit, and of parameters that were searched for.
 
     effects : (R, m) columns of the effects in the fit.  extra : (R, d) derivatives of the readings by the parameters,
     after the coefficients in what is returned.  prior : (mean, standard deviation), each (n + d,), of the parameters
     before anything was read; they decide what the readings do not determine (None: it stays out).
+    noise : a `NoiseModel` whose correlations are used (None: those of the residuals).
     """
     parts = [fitted.design.matrix]
     parts += [p for p in (effects, extra) if p is not None and p.shape[1]]
@@ -257,7 +273,7 @@ def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None
     finite = np.isfinite(b.scale)
     scale = np.where(finite, b.scale, 1.0)
     rows = (b.v / b.s) / scale[:, None]
-    noise, inner = noise_model(fitted, readings, b.ortho)
+    noise, inner = noise_model(fitted, readings, b.ortho, noise)
     data = rows @ _root(inner)
     determined = (1 - (b.v**2).sum(axis=1) < 1e-6) & finite
     open_part, shift = np.zeros((n, 0)), np.zeros(n)
