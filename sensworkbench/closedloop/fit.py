@@ -130,7 +130,7 @@ def _quick(matrix, weight, y) -> _Quick:
     return _Quick(y - matrix @ theta, int(keep.sum()), x, root)
 
 
-@dataclass
+@dataclass(eq=False)
 class Fit:
     """A weighted fit.
 

@@ -137,34 +137,51 @@ class Structure:
 
 
 class FreeScan:
-    """Free forms of every pair of columns on every component, whitened once; then any residual is one product."""
+    """Free forms of every pair of columns on every component, whitened once; then any residual is one product.
+
+    The forms share their functions of one column: each different function is a column of `table` (P, n), and a form is
+    a set of them with a small matrix that makes them orthonormal beside the model.
+    """
 
     def __init__(self, rows: Rows, readings, names=None, components=None):
         self.rows = rows
         self.names = names if names is not None else useful_columns(readings)
         self.components = range(rows.lever.shape[1]) if components is None else components
         self.sets = [(a,) for a in self.names] + list(itertools.combinations(self.names, 2))
-        self.forms = [free_form(readings.columns, s, DEGREE) for s in self.sets]
-        gathered = {c: rows.per_point(c)[0] for c in self.components}
-        blocks, self.owner = [], []
-        for k, form in enumerate(self.forms):
-            v = form.vectors
-            for c in self.components:
-                inner = rows.inner(c, v)
+        known: dict[tuple, int] = {}
+        table, self.places = [], []
+        for names_ in self.sets:
+            form = free_form(readings.columns, names_, DEGREE)
+            keys = [tuple((n, o) for n, o in zip(names_, orders) if o) for orders in form.orders]
+            for key, vector in zip(keys, form.vectors.T):
+                if key not in known:
+                    known[key] = len(table)
+                    table.append(vector)
+            self.places.append(np.array([known[key] for key in keys], dtype=int))
+        self.table = np.stack(table, axis=1) if table else np.zeros((len(rows.start), 0))
+        self.roots, self.owner = [], []
+        for c in self.components:
+            shown = self.table.T @ rows.per_point(c)[0]
+            for k, place in enumerate(self.places):
+                inner = rows.inner(c, self.table[:, place])
                 size = np.sqrt(np.maximum(np.diag(inner), 1e-300))
-                shown = inner - (v.T @ gathered[c]) @ (gathered[c].T @ v)
-                values, vectors = np.linalg.eigh(shown / np.outer(size, size))
+                beside = inner - shown[place] @ shown[place].T
+                values, vectors = np.linalg.eigh(beside / np.outer(size, size))
                 keep = values > 1e-3
                 if keep.any() and size.max() > 1e-9:
-                    blocks.append(v @ ((vectors[:, keep] / np.sqrt(values[keep])) / size[:, None]))
+                    self.roots.append((vectors[:, keep] / np.sqrt(values[keep])) / size[:, None])
                     self.owner.append((k, c, int(keep.sum())))
-        self.basis = blocks
 
-    def _gains(self, h) -> np.ndarray:
-        """h : (n, P, C) gathered residuals of n cases.  Returns (n, entries) drops of chi-square."""
-        out = np.empty((len(h), len(self.owner)))
-        for i, ((_, c, _), block) in enumerate(zip(self.owner, self.basis)):
-            out[:, i] = ((h[:, :, c] @ block) ** 2).sum(axis=1)
+    def _gains(self, residuals) -> np.ndarray:
+        """residuals (n, R) of n cases, projected.  Returns (n, entries) drops of chi-square."""
+        rows, out = self.rows, np.empty((len(residuals), len(self.owner)))
+        pulled = [rows.pulled(r) for r in residuals]
+        for c in self.components:
+            h = np.stack([rows.gather(rows.lever[:, c] * r) for r in pulled])
+            across = h @ self.table  # (n, functions)
+            for i, (k, of, _) in enumerate(self.owner):
+                if of == c:
+                    out[:, i] = ((across[:, self.places[k]] @ self.roots[i]) ** 2).sum(axis=1)
         return out
 
     def _tails(self, gains) -> np.ndarray:
@@ -178,14 +195,8 @@ class FreeScan:
         rows = self.rows
         if not self.owner:
             return [], np.zeros(0)
-        observed = rows.gather(rows.lever * rows.pulled(rows.residual)[:, None])[None]
-        flipped = rows.flipped(signs)
-        maxima = []
-        for begin in range(0, len(signs), 25):
-            h = np.stack([rows.gather(rows.lever * rows.pulled(r)[:, None]) for r in flipped[begin : begin + 25]])
-            maxima.append(self._tails(self._gains(h)).max(axis=1))
-        null = np.concatenate(maxima)
-        gains = self._gains(observed)[0]
+        null = self._tails(self._gains(rows.flipped(signs))).max(axis=1)
+        gains = self._gains(rows.residual[None])[0]
         tails = self._tails(gains[None])[0]
         found = []
         for i in np.argsort(-tails)[:40]:

@@ -20,6 +20,7 @@ from . import evidence
 from .bank import bank, useful_columns
 from .design import Design, alike, design
 from .fit import Fit, basis, correlation, fit
+from .kept import Kept
 from .noise import duration
 from .readings import Readings
 from .scan import Rows, Scanner
@@ -27,6 +28,13 @@ from .search import ScoredTerm
 from .settings import DEFAULT, TraceSettings
 
 CERTAIN_DRIFT = 0.9999  # correlation; more is a drift without end, of which any number of readings count as one
+
+
+def _key(candidates) -> tuple | None:
+    """What tells the columns of candidates from others; None beside a free form, of which that is its numbers."""
+    if any(c.shape.free for c in candidates):
+        return None
+    return tuple((c.symbol, c.regressor) for c in candidates)
 
 
 @dataclass(frozen=True)
@@ -118,6 +126,23 @@ class Problem:
         """(P,) block of each point: short ones, and long ones (True) for noise that remembers."""
         s = self.settings
         return {long: evidence.blocks(self.readings, s.long_blocks if long else s.short_blocks) for long in (0, 1)}
+
+    @cached_property
+    def kept(self) -> Kept:
+        """Fits and weighted rows that a later stage may ask for again."""
+        return Kept()
+
+    @cached_property
+    def _signs(self) -> dict[bool, np.ndarray]:
+        return {}
+
+    def signs(self, long: bool) -> np.ndarray:
+        """(permutations, rows of a scan) signs that turn whole blocks, short or long ones; made once."""
+        if long not in self._signs:
+            block = self.blocks[long]
+            table = evidence.flips(block, self.permutations, self.seed)
+            self._signs[long] = table[:, block[self.readings.point][self.scan_rows]].astype(np.float32)
+        return self._signs[long]
 
     def columns_of(self, candidates) -> np.ndarray | None:
         """(R, m) design columns of candidates."""
@@ -262,42 +287,58 @@ class State:
         """(permutations, rows of a scan) signs that turn whole blocks: short ones, as whitened rows do not remember,
         and long ones where what is left drifts.
         """
-        p = self.problem
-        block = p.blocks[self.drifts]
-        table = evidence.flips(block, p.permutations, p.seed)
-        return table[:, block[p.readings.point][p.scan_rows]].astype(np.float32)
+        return self.problem.signs(self.drifts)
 
     # -- fits ------------------------------------------------------------------------------------------------------
     def fit_with(self, candidates) -> Fit:
         """Robust fit of the declared model and candidates, under the memory of the noise that is modelled."""
-        p = self.problem
-        return fit(p.design, p.readings, p.columns_of(candidates), memory=self.modelled)
+        p, modelled = self.problem, self.modelled
+        own = _key(candidates)
+        key = None if own is None else ("fit", own, tuple(sorted(modelled.items())))
+        return p.kept.get(
+            key,
+            lambda: fit(p.design, p.readings, p.columns_of(candidates), memory=modelled),
+            lambda found: found.basis.ortho.nbytes + 4 * found.residual.nbytes,
+        )
 
     def rows(self, fitted: Fit) -> Rows:
         """The weighted rows of a fit and of its model."""
-        return self._rows(fitted, fitted.basis.ortho)
+        return self._rows(fitted, "own", lambda: fitted.basis.ortho)
 
     def rows_with(self, fitted: Fit, candidates) -> Rows:
         """Rows of the model that holds just `candidates`, under the weights of `fitted`."""
-        extra = self.problem.columns_of(candidates)
-        design = self.problem.design.matrix
-        matrix = design if extra is None else np.concatenate([design, extra], axis=1)
-        return self._rows(fitted, basis(fitted.white(matrix)).ortho)
 
-    def _rows(self, fitted: Fit, ortho) -> Rows:
-        y = fitted.white(self.problem.readings.value)
-        lever = self.problem.design.lever * fitted.weight[:, None]
+        def ortho() -> np.ndarray:
+            extra, matrix = self.problem.columns_of(candidates), self.problem.design.matrix
+            whole = matrix if extra is None else np.concatenate([matrix, extra], axis=1)
+            return basis(fitted.white(whole)).ortho
+
+        return self._rows(fitted, _key(candidates), ortho)
+
+    def _rows(self, fitted: Fit, key, make) -> Rows:
         p = self.problem
-        return Rows(lever, y - ortho @ (ortho.T @ y), p.start, ortho, fitted.memory, p.middle)
+
+        def rows() -> Rows:
+            y, ortho = fitted.white(p.readings.value), make()
+            lever = p.design.lever * fitted.weight[:, None]
+            return Rows(lever, y - ortho @ (ortho.T @ y), p.start, ortho, fitted.memory, p.middle)
+
+        key = None if key is None else ("rows", fitted, key)
+        return p.kept.get(key, rows, lambda found: found.lever.nbytes + found.ortho.nbytes)
 
     def scanned(self, rows: Rows) -> Rows:
         """Return the rows that the scan uses."""
-        return rows if self.problem.thin is None else rows.thinned(self.problem.thin)
+        if self.problem.thin is None:
+            return rows
+        return rows.once("thinned", lambda: rows.thinned(self.problem.thin))
 
     def scanner(self, rows: Rows) -> Scanner:
         """Return a scanner of all candidates on these rows."""
         p = self.problem
-        return Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors, wholes=p.wholes)
+        return rows.once(
+            "scanner",
+            lambda: Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors, wholes=p.wholes),
+        )
 
     def grams(self, fitted: Fit, others, candidates, within: bool = False):
         """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate).

@@ -39,6 +39,13 @@ class Rows:
     memory: Memory | None = None
     middle: Mapping[str, float] = field(default_factory=dict)
     kept: dict = field(default_factory=dict, repr=False, compare=False)
+    made: dict = field(default_factory=dict, repr=False, compare=False)
+
+    def once(self, name: str, make):
+        """What `make` returns, made at the first call."""
+        if name not in self.made:
+            self.made[name] = make()
+        return self.made[name]
 
     def gather(self, x) -> np.ndarray:
         """(P, ...) sums over the rows of each point."""
@@ -195,28 +202,33 @@ class Scanner:
         self.v = self.regressors(shapes, columns) if v is None else v
         self.first = np.cumsum(np.r_[0, self.width[:-1]]) if len(shapes) else np.zeros(0, int)
         self._denominators(wholes)
+        self._null: tuple = (None, None)
 
     @staticmethod
     def wholes(shapes: list[Regressor], columns, middle, points=None) -> np.ndarray | None:
         """(K,) mean square of each entry's `whole` over that of the entry itself; None where nothing differs."""
         if not middle:
             return None
+        if points is not None:  # none of these remembers
+            columns = {n: x[points] for n, x in columns.items()}
         out = np.ones(len(shapes))
         for k, shape in enumerate(shapes):
             shifted = whole(shape, columns, middle)
             if shifted is not None:
-                v = shape.vectors(columns)
-                a, b = (x if points is None else x[points] for x in (shifted, v))
-                out[k] = max(float((a**2).mean()), 1e-12 * float((b**2).mean())) / max(float((b**2).mean()), 1e-300)
+                b = max(float((shape.vectors(columns) ** 2).mean()), 1e-300)
+                out[k] = max(float((shifted**2).mean()) / b, 1e-12)
         return out
 
     @staticmethod
     def regressors(shapes: list[Regressor], columns, points=None) -> np.ndarray:
         """(sum of sizes, P) the driver columns of all entries at rms 1, for some `points` of the columns or all."""
+        some = columns if points is None else {n: x[points] for n, x in columns.items()}
         vectors = []
-        for shape in shapes:
-            v = shape.vectors(columns)
-            vectors.append(v if points is None else v[points])
+        for shape in shapes:  # what remembers needs the rows between
+            if shape.shape.memory and points is not None:
+                vectors.append(shape.vectors(columns)[points])
+            else:
+                vectors.append(shape.vectors(some))
         count = len(next(iter(columns.values()))) if points is None else len(points)
         v = np.concatenate(vectors, axis=1).T if vectors else np.zeros((0, count))
         scale = np.sqrt((v**2).mean(axis=1, keepdims=True))
@@ -285,7 +297,12 @@ class Scanner:
         return Scores(self.shapes, gain, self.visible, np.where(self.valid, tail, 0.0))
 
     def null_maxima(self, signs, batch: int = 32) -> np.ndarray:
-        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals, made block by block."""
+        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals; computed once."""
+        if self._null[0] is not signs:
+            self._null = signs, self._null_maxima(signs, batch)
+        return self._null[1]
+
+    def _null_maxima(self, signs, batch: int) -> np.ndarray:
         rows = self.rows
         p, components = len(rows.start), self.lever.shape[1]
         v = self.v.astype(np.float32)

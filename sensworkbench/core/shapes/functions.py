@@ -24,13 +24,12 @@ def lag(v, t, tau: float, state0: float = 0.0) -> np.ndarray:
     """
     v, t = np.asarray(v, dtype=float), np.asarray(t, dtype=float)
     keep = np.exp(-np.maximum(np.diff(t), 0.0) / tau)
-    y = np.empty_like(v)
     state = float(state0)
-    y[:1] = state
-    for i, k in enumerate(keep.tolist(), start=1):
-        state = v[i] + (state - v[i]) * k
-        y[i] = state
-    return y
+    y = [state] if len(v) else []
+    for k, x in zip(keep.tolist(), v[1:].tolist()):
+        state = x + (state - x) * k
+        y.append(state)
+    return np.array(y)
 
 
 def hysteresis(v, width: float) -> np.ndarray:
@@ -39,12 +38,16 @@ def hysteresis(v, width: float) -> np.ndarray:
     The play starts at 0 and follows v; the difference saturates at +-width after each reversal.
     """
     v = np.asarray(v, dtype=float)
-    y = np.empty_like(v)
-    state = v[0] if len(v) else 0.0
-    for i, x in enumerate(v.tolist()):
-        state = min(max(state, x - width), x + width)
-        y[i] = x - state
-    return y
+    values = v.tolist()
+    state = values[0] if values else 0.0
+    y = []
+    for x in values:
+        if state < x - width:
+            state = x - width
+        elif state > x + width:
+            state = x + width
+        y.append(x - state)
+    return np.array(y)
 
 
 def bump_features(columns, names, bumps, domains) -> np.ndarray:
