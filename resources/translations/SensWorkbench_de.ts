@@ -189,11 +189,6 @@
       <translation>Leeren</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Coefficient</source>
-      <translation>Koeffizient</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Colour by the indices at this position</source>
       <translation>Nach den Indizes an dieser Position färben</translation>
@@ -310,11 +305,6 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Driver from, to</source>
-      <translation>Treiber von, bis</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
       <translation>Jeder Punkt: der Wert, den ein Messwert von der Komponente verlangt, wenn alles andere abgezogen ist.</translation>
     </message>
@@ -367,16 +357,6 @@
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √E[Y]</source>
       <translation>Erwarteter Fehler √E[Y]</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Explained</source>
-      <translation>Erklärt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Exponent</source>
-      <translation>Exponent</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -514,11 +494,6 @@
       <translation>Anleitung zu Sens Workbench</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Half-width of the play</source>
-      <translation>Halbe Breite des Spiels</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Held by nothing, left out: {names}</source>
       <translation>Von nichts gehalten, ausgelassen: {names}</translation>
@@ -569,11 +544,6 @@
       <translation>{name} verfahren</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Jumps at</source>
-      <translation>Sprung bei</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>Größter totaler Index Sᵀ der Komponente</translation>
@@ -612,11 +582,6 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Lower right</source>
       <translation>Unten rechts</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Lowest, highest value</source>
-      <translation>Kleinster, größter Wert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/examples.py" />
@@ -744,11 +709,6 @@
       <translation>An den Objekten der Maschine ist nichts auszusetzen.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Nothing to explain</source>
-      <translation>Nichts zu erklären</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Nothing was noticed while reading</source>
       <translation>Beim Lesen fiel nichts auf</translation>
@@ -759,7 +719,7 @@
       <translation>Beim Lesen aufgefallen:</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>Zielgröße</translation>
     </message>
@@ -784,7 +744,7 @@
       <translation>Bericht öffnen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Orientation of the tool</source>
       <translation>Orientierung des Werkzeugs</translation>
     </message>
@@ -809,7 +769,7 @@
       <translation>Veraltet: die Maschine wurde seither geändert.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Output</source>
       <translation>Ausgang</translation>
     </message>
@@ -844,11 +804,6 @@
       <translation>Werte von Park &amp; Yang für alle Abweichungen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Partly explained</source>
-      <translation>Teilweise erklärt</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Parts</source>
       <translation>Teile</translation>
@@ -862,11 +817,6 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Per axis</source>
       <translation>Je Achse</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Period</source>
-      <translation>Periode</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -884,7 +834,7 @@
       <translation>Position</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Position of the tool</source>
       <translation>Position des Werkzeugs</translation>
     </message>
@@ -1114,11 +1064,6 @@
       <translation>Zeigen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Signed sum</source>
-      <translation>Summe mit Vorzeichen</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Significant, but not named</source>
       <translation>Signifikant, aber nicht benannt</translation>
@@ -1144,11 +1089,6 @@
       <translation>Schnitt bei Z</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Something is named, but more is left than noise, or its driver was not logged.</source>
-      <translation>Etwas ist benannt, aber es bleibt mehr als Rauschen, oder sein Treiber wurde nicht aufgezeichnet.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Spindle and tool</source>
       <translation>Spindel und Werkzeug</translation>
@@ -1162,11 +1102,6 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Start over</source>
       <translation>Von vorn</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>State at the start</source>
-      <translation>Zustand am Anfang</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -1197,11 +1132,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Suggested</source>
       <translation>Vorschläge</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Sum of squares</source>
-      <translation>Quadratsumme</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1254,16 +1184,6 @@
       <translation>Unterscheidet: {what}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The declared errors account for these readings down to their noise.</source>
-      <translation>Die angesetzten Fehler erklären diese Messwerte bis auf ihr Rauschen.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The declared errors leave something over, and no name for it survives the tests.</source>
-      <translation>Die angesetzten Fehler lassen etwas übrig, und kein Name dafür besteht die Prüfungen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file does not say what its signs mean. Answer the questions, then import.</source>
       <translation>Die Datei sagt nicht, was ihre Vorzeichen bedeuten. Bitte die Fragen beantworten, dann importieren.</translation>
@@ -1287,11 +1207,6 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The middle of the far end was taken for the side.</source>
       <translation>Statt der Mantelfläche gilt die Mitte des äußeren Endes.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The named effects account for what the declared errors leave over.</source>
-      <translation>Die benannten Effekte erklären, was die angesetzten Fehler übrig lassen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1347,11 +1262,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>This is the middle of a side, not its end: take it again.</source>
       <translation>Das ist die Mitte einer Mantelfläche, nicht ihr Ende: bitte neu übernehmen.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Time constant</source>
-      <translation>Zeitkonstante</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -1444,16 +1354,6 @@
       <translation>U-förmig</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Uncorrected (set-up aligned)</source>
-      <translation>Unkorrigiert (Aufspannung ausgerichtet)</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Unexplained</source>
-      <translation>Ungeklärt</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Unit</source>
       <translation>Einheit</translation>
@@ -1514,12 +1414,12 @@
       <translation>Viridis (violett bis gelb)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weight of each component; 0 leaves it out (a groove does not care along its length)</source>
       <translation>Gewicht jeder Komponente; 0 lässt sie weg (längs einer Nut ist sie gleichgültig)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weights</source>
       <translation>Gewichte</translation>
     </message>
@@ -1914,11 +1814,6 @@
       <translation>Position {axis}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>positioning of {body}</source>
-      <translation>Positionierung von {body}</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>reading along its direction</source>
       <translation>Messwert in seiner Richtung</translation>
@@ -1932,11 +1827,6 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>rivals that these readings cannot tell from it: {n}</source>
       <translation>Rivalen, die diese Messwerte nicht davon unterscheiden: {n}</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>roll of {body}</source>
-      <translation>Rollen von {body}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1965,23 +1855,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
-      <source>spindle, shift along {axis}</source>
-      <translation>Spindel, Verschiebung in {axis}</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>spindle, tilt about {axis}</source>
-      <translation>Spindel, Kippen um {axis}</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
       <source>squareness carried</source>
       <translation>Rechtwinkligkeit wird mitgeführt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>squareness of {body} to {other}</source>
-      <translation>Rechtwinkligkeit von {body} zu {other}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1992,11 +1867,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>Standardunsicherheit</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>straightness of {body} along {axis}</source>
-      <translation>Geradheit von {body} in {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2027,11 +1897,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>the tool relative to the workpiece</source>
       <translation>des Werkzeugs gegenüber dem Werkstück</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>tilt of {body} about {axis}</source>
-      <translation>Kippen von {body} um {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2102,16 +1967,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>workpiece</source>
       <translation>Werkstück</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>workpiece, rotation about {axis}</source>
-      <translation>Werkstück, Drehung um {axis}</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>workpiece, shift along {axis}</source>
-      <translation>Werkstück, Verschiebung in {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />

@@ -189,11 +189,6 @@
       <translation>비우기</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Coefficient</source>
-      <translation>계수</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Colour by the indices at this position</source>
       <translation>이 위치의 지수로 채색</translation>
@@ -310,11 +305,6 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Driver from, to</source>
-      <translation>구동 변수 범위</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
       <translation>각 점: 나머지를 모두 뺀 뒤 측정값이 이 성분에 요구하는 값.</translation>
     </message>
@@ -367,16 +357,6 @@
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √E[Y]</source>
       <translation>예상 오차 √E[Y]</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Explained</source>
-      <translation>설명됨</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Exponent</source>
-      <translation>지수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -514,11 +494,6 @@
       <translation>Sens Workbench 안내서</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Half-width of the play</source>
-      <translation>유격의 반폭</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Held by nothing, left out: {names}</source>
       <translation>고정되지 않아 제외됨: {names}</translation>
@@ -569,11 +544,6 @@
       <translation>{name} 조그</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Jumps at</source>
-      <translation>도약 지점</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>구성요소의 최대 전체 지수 Sᵀ</translation>
@@ -612,11 +582,6 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Lower right</source>
       <translation>오른쪽 아래</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Lowest, highest value</source>
-      <translation>최솟값, 최댓값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/examples.py" />
@@ -744,11 +709,6 @@
       <translation>기계 객체에 이상이 없습니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Nothing to explain</source>
-      <translation>설명할 것 없음</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Nothing was noticed while reading</source>
       <translation>읽는 동안 특이 사항 없음</translation>
@@ -759,7 +719,7 @@
       <translation>읽는 동안 발견한 사항:</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>목적 함수</translation>
     </message>
@@ -784,7 +744,7 @@
       <translation>보고서 열기</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Orientation of the tool</source>
       <translation>공구의 자세</translation>
     </message>
@@ -809,7 +769,7 @@
       <translation>오래됨: 그 뒤로 기계가 바뀌었습니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Output</source>
       <translation>출력</translation>
     </message>
@@ -844,11 +804,6 @@
       <translation>모든 오차에 Park &amp; Yang의 값</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Partly explained</source>
-      <translation>일부 설명됨</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Parts</source>
       <translation>부품</translation>
@@ -862,11 +817,6 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Per axis</source>
       <translation>축당</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Period</source>
-      <translation>주기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -884,7 +834,7 @@
       <translation>위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Position of the tool</source>
       <translation>공구의 위치</translation>
     </message>
@@ -1114,11 +1064,6 @@
       <translation>표시</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Signed sum</source>
-      <translation>부호 있는 합</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Significant, but not named</source>
       <translation>유의하지만 이름 붙이지 않음</translation>
@@ -1144,11 +1089,6 @@
       <translation>Z 단면</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Something is named, but more is left than noise, or its driver was not logged.</source>
-      <translation>일부는 이름이 붙었으나 잡음 이상이 남았거나 구동 변수가 기록되지 않았습니다.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Spindle and tool</source>
       <translation>주축과 공구</translation>
@@ -1162,11 +1102,6 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Start over</source>
       <translation>처음부터</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>State at the start</source>
-      <translation>시작 상태</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -1197,11 +1132,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Suggested</source>
       <translation>제안</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Sum of squares</source>
-      <translation>제곱합</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1254,16 +1184,6 @@
       <translation>구별 대상: {what}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The declared errors account for these readings down to their noise.</source>
-      <translation>선언된 오차가 잡음 수준까지 측정값을 설명합니다.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The declared errors leave something over, and no name for it survives the tests.</source>
-      <translation>선언된 오차로 설명되지 않는 것이 있으나 검정을 통과한 이름이 없습니다.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file does not say what its signs mean. Answer the questions, then import.</source>
       <translation>파일에 부호의 의미가 없습니다. 질문에 답한 뒤 가져오십시오.</translation>
@@ -1287,11 +1207,6 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The middle of the far end was taken for the side.</source>
       <translation>옆면 대신 먼 쪽 끝의 중심을 사용했습니다.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>The named effects account for what the declared errors leave over.</source>
-      <translation>이름 붙인 효과가 선언된 오차가 남긴 것을 설명합니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1347,11 +1262,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>This is the middle of a side, not its end: take it again.</source>
       <translation>옆면의 중심이며 끝이 아닙니다. 다시 가져오십시오.</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Time constant</source>
-      <translation>시간 상수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -1444,16 +1354,6 @@
       <translation>U자형</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Uncorrected (set-up aligned)</source>
-      <translation>보정 전(설치 정렬됨)</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
-      <source>Unexplained</source>
-      <translation>설명되지 않음</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Unit</source>
       <translation>단위</translation>
@@ -1514,12 +1414,12 @@
       <translation>Viridis (보라에서 노랑)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weight of each component; 0 leaves it out (a groove does not care along its length)</source>
       <translation>각 성분의 가중치; 0이면 제외합니다 (홈은 길이 방향 오차와 무관합니다)</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
+      <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weights</source>
       <translation>가중치</translation>
     </message>
@@ -1914,11 +1814,6 @@
       <translation>{axis} 위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>positioning of {body}</source>
-      <translation>{body}의 위치 결정</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>reading along its direction</source>
       <translation>측정 방향의 값</translation>
@@ -1932,11 +1827,6 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>rivals that these readings cannot tell from it: {n}</source>
       <translation>이 측정값으로 구별할 수 없는 경쟁 후보: {n}</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>roll of {body}</source>
-      <translation>{body}의 롤</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1965,23 +1855,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
-      <source>spindle, shift along {axis}</source>
-      <translation>주축, {axis} 방향 이동</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>spindle, tilt about {axis}</source>
-      <translation>주축, {axis} 둘레 기울기</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
       <source>squareness carried</source>
       <translation>직각도가 함께 전달됨</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>squareness of {body} to {other}</source>
-      <translation>{other}에 대한 {body}의 직각도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1992,11 +1867,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>표준 불확도</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>straightness of {body} along {axis}</source>
-      <translation>{body}의 {axis} 방향 진직도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2027,11 +1897,6 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>the tool relative to the workpiece</source>
       <translation>공작물에 대한 공구</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>tilt of {body} about {axis}</source>
-      <translation>{axis} 둘레의 {body} 기울기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2102,16 +1967,6 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>workpiece</source>
       <translation>공작물</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>workpiece, rotation about {axis}</source>
-      <translation>공작물, {axis} 둘레 회전</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/texts.py" />
-      <source>workpiece, shift along {axis}</source>
-      <translation>공작물, {axis} 방향 이동</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />

@@ -76,7 +76,8 @@ def declared_fit(machine: Machine, readings: Readings) -> Fit:
 def fit_summary(found: Fit, readings: Readings) -> dict:
     """The fit in numbers: rms before and after (um), noise, rank, null space (messages), outliers, parameters.
 
-    parameters : (label, value or None, standard uncertainty or None, unit); None where it is not determined.
+    parameters : (title, value or None, standard uncertainty or None, unit); title : a symbol or a message;
+    None where it is not determined.
     """
     terms = found.design.terms
     used = found.weight > 0
@@ -86,7 +87,7 @@ def fit_summary(found: Fit, readings: Readings) -> dict:
         scale, unit = _scale(term)
         known = bool(found.determined[i])
         value, u = (float(found.coefficients[i]) * scale, float(errors[i]) * scale) if known else (None, None)
-        parameters.append((term.label, value, u, unit))
+        parameters.append((term.title, value, u, unit))
     points = np.unique(readings.point[found.outliers])
     lines = readings.line if readings.line is not None else np.zeros(readings.points, dtype=int)
     return {

@@ -7,7 +7,7 @@ on which objective it is.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import ClassVar
 
 import numpy as np
@@ -80,8 +80,9 @@ class Objective:
 
     # -- files -------------------------------------------------------------------------------------------------------
     def to_json(self) -> dict:
-        """Return plain data from which `from_json` makes an equal objective."""
-        return {"name": self.name, "output": self.output, "weights": list(self.weights)}
+        """Return plain data from which `from_json` makes an equal objective: its name and all of its fields."""
+        own = {f.name: getattr(self, f.name) for f in fields(self)}
+        return {"name": self.name} | {k: list(v) if isinstance(v, tuple) else v for k, v in own.items()}
 
     @property
     def length_unit(self) -> str:
@@ -211,9 +212,6 @@ class Quantile(Objective):
 
     def size_shown(self, mean):
         return float(mean) * self._scale()
-
-    def to_json(self):
-        return super().to_json() | {"level": self.level}
 
     @property
     def formula(self):

@@ -34,6 +34,11 @@ def result(kind: str, name: str, tip: str, value=None) -> Property:
     return Property(kind, name, "Results", tip, value, OUTPUT, READ_ONLY)
 
 
+def coded(name: str, tip: str) -> Property:
+    """A sentence that the program writes as code and fields (`told`); the window shows it in its language."""
+    return Property("String", name, "Results", tip, None, OUTPUT, INVISIBLE)
+
+
 def internal(kind: str, name: str, tip: str, value=None) -> Property:
     """A property that the program keeps for itself: output, not shown."""
     return Property(kind, name, "Internal", tip, value, OUTPUT | HIDDEN, INVISIBLE)

@@ -15,7 +15,8 @@ from pathlib import Path
 import FreeCAD as App
 
 from ..messages import Message, Refused
-from .base import READ_ONLY, Property, SensObject, dress, internal, put, result
+from . import told
+from .base import INVISIBLE, OUTPUT, READ_ONLY, Property, SensObject, coded, dress, internal, put, result
 from .extract import core_machine
 from .factory import make_effect
 from .refresh import refresh
@@ -37,7 +38,8 @@ class ReadingsObject(SensObject):
         result("Integer", "Rows", "Displacements that were read"),
         result("StringList", "Columns", "Columns that may drive an error, with their units"),
         result("StringList", "Runs", "Runs by name"),
-        result("StringList", "Findings", "What was noticed while reading, with line numbers"),
+        Property("StringList", "Findings", "Results", "What was noticed while reading, with line numbers", None, OUTPUT,
+                 INVISIBLE),
         internal("String", "Mapping", "What each column was taken for and how the sign questions were answered, JSON",
                  "{}"),
         internal("String", "Sha256", "SHA-256 of the table"),
@@ -56,7 +58,7 @@ class TraceObject(SensObject):
     properties = (
         Property("Link", "Readings", "Trace", "The readings that were traced", None, 0, READ_ONLY),
         result("String", "Verdict", "nothing_to_explain, explained, partly_explained or unexplained"),
-        result("String", "Summary", "The verdict in words"),
+        coded("Summary", "The verdict in words"),
         result("StringList", "Effects", "Effects that were found, by name"),
         result("FloatList", "RmsInSample", "3-D rms, um: uncorrected, declared model, with the effects"),
         result("FloatList", "RmsHeldOut", "The same on readings that took no part in the fit"),
@@ -116,17 +118,14 @@ def make_readings(machine, path, mapping=None, label: str | None = None):
     units = {name: readings.units.get(name, "") for name in readings.columns}
     put(obj, "Columns", [f"{name} ({unit})" if unit else name for name, unit in units.items()])
     put(obj, "Runs", [] if readings.run is None else sorted({str(r) for r in readings.run}))
-    put(obj, "Findings", [finding_words(f) for f in readings.findings])
+    put(obj, "Findings", [told.dumps(finding_message(f)) for f in readings.findings])
     return obj
 
 
-def finding_words(finding, language: str = "en") -> str:
-    """`line 7: ...` of a finding, in `language`."""
-    words = finding.text(language)
-    if not finding.line:
-        return words
-    line = Message("line-one", shown=finding.line).text(language)
-    return f"{line}: {words}"
+def finding_message(finding) -> Message:
+    """What was noticed while reading, with its line where it has one."""
+    said = finding.message if isinstance(finding.message, Message) else Message("text", text=finding.message)
+    return Message("finding-in-line", line=finding.line, words=said) if finding.line else said
 
 
 def read(obj):
@@ -153,7 +152,7 @@ def make_trace(machine, readings_obj, outcome, traced):
     report, readings = trace_json.to_dict(outcome), outcome.readings
     known = {e.name for e in traced.effects}
     put(obj, "Verdict", report["verdict"])
-    put(obj, "Summary", summary(report))
+    put(obj, "Summary", told.dumps(summary(report)))
     put(obj, "Effects", [e.name for e in outcome.machine.effects if e.name not in known])
     put(obj, "RmsInSample", [report["error"][s]["in_sample"]["rms_um"] for s in STAGES])
     put(obj, "RmsHeldOut", [report["error"][s]["held_out"]["rms_um"] for s in STAGES])
@@ -180,15 +179,21 @@ def _vectors(array) -> list:
     return [App.Vector(*row) for row in array.tolist()]
 
 
-def summary(report) -> str:
-    """The verdict and what was found, in a sentence or two."""
+def summary(report) -> Message:
+    """The verdict and what was found, in a sentence or two.  report : trace.json, as stored."""
     from ..formats import trace_html
 
     title, words = trace_html.VERDICTS[report["verdict"]]
-    found = [
-        f"{e['component']} driven by {trace_html.driver_words(e['driver'])}: {e['name']}" for e in report["effects"]
-    ]
-    return f"{title}. {words}" + (f" Found: {'; '.join(found)}." if found else "")
+    found = [_found(e, trace_html.driver_words(e["driver"])) for e in report["effects"]]
+    if found:
+        return Message("trace-summary-found", title=title, words=words, found=found)
+    return Message("trace-summary", title=title, words=words)
+
+
+def _found(entry, driver: str) -> Message:
+    said = entry.get("name_message")
+    name = entry["name"] if said is None else Message.from_dict(said)
+    return Message("trace-found", component=entry["component"], driver=driver, name=name)
 
 
 def evidence_of(obj):

@@ -15,14 +15,15 @@ from functools import cached_property
 import FreeCAD as App
 import numpy as np
 
-from ..core import objectives, workspace
+from ..core import workspace
 from ..core.effects import Effect
 from ..core.errors import component
 from ..core.joints import KINDS, LINEAR, Joint
 from ..core.machine import Machine, check_chains
+from ..core.objectives import Objective
 from ..formats import effects_json, fitted_json
-from ..messages import Refused
-from . import geometry, joints
+from ..messages import Message, Refused
+from . import geometry, joints, told
 from .base import kind_of, made_by_newer, numbers
 from .kinematics import displacements, is_shift, motion, moved_back
 from .paths import Place, place
@@ -108,8 +109,8 @@ class Survey:
 
     core: Machine
     position: np.ndarray  # (n,) positions at which the parts are, mm or rad, in the order of core.names
-    direction_from: dict[str, str]
-    reference_from: dict[str, str]
+    direction_from: dict[str, Message]
+    reference_from: dict[str, Message]
     index: dict[tuple, str]  # occurrence of a part -> its body
     loose: tuple[tuple[Place, str], ...]  # (source that belongs to no part, body that names it)
     owners: dict[str, object]  # joint name, T, W -> axis or body object
@@ -138,7 +139,7 @@ class _Found:
 
     source: Place
     value: App.Vector
-    words: str
+    words: Message
 
 
 def _direction(axis, name: str, parts) -> _Found:
@@ -146,12 +147,14 @@ def _direction(axis, name: str, parts) -> _Found:
     source = place(axis.DirectionSource) if axis.DirectionSource else parts[0]
     try:
         if joints.is_joint(source.object):
-            vector, words = joints.direction(source), f"slider {source.object.Label}"
+            vector, words = joints.direction(source), Message("from-slider", joint=source.object.Label)
         else:
             vector, words = geometry.direction(source, axis.DirectionAlong, name)
     except Refused as error:
         raise error.at(axis.Label) from None
-    return _Found(source, vector * -1.0, f"{words}, reversed") if axis.Reverse else _Found(source, vector * 1.0, words)
+    if axis.Reverse:
+        return _Found(source, vector * -1.0, Message("from-reversed", what=words))
+    return _Found(source, vector * 1.0, words)
 
 
 def _reference(owner, parts) -> _Found:
@@ -162,7 +165,7 @@ def _reference(owner, parts) -> _Found:
         source = place(owner.ReferenceSource)
         if joints.is_joint(source.object):
             side = joints.carried_side(source, parts)
-            return _Found(source, joints.frame(source, side).Base, f"joint {source.object.Label}")
+            return _Found(source, joints.frame(source, side).Base, Message("from-joint", joint=source.object.Label))
         return _Found(source, *geometry.point(source, owner.ReferenceAt))
     except Refused as error:
         raise error.at(owner.Label) from None
@@ -247,7 +250,7 @@ def survey(machine) -> Survey:
                 core = with_offsets(core, {name: offset})
             except Refused as error:
                 raise error.at(axes[name].Label) from None
-            reference_from[name] += ", moved"
+            reference_from[name] = Message("from-moved", what=reference_from[name])
     position = np.array([q[name] for name in core.names])
     return Survey(core, position, direction_from, reference_from, index, tuple(loose), owners, parts, displaced)
 
@@ -268,10 +271,10 @@ def with_offsets(core: Machine, offsets: dict[str, tuple[float, float, float]]) 
 
 def _own_reference(parts, at):
     if at == "Placement":
-        return parts[0], parts[0].placement.Base, f"placement of {parts[0].object.Label}"
+        return parts[0], parts[0].placement.Base, Message("from-placement", object=parts[0].object.Label)
     found = geometry.centre_of_mass(parts)
     if found is not None:
-        return parts[0], found, "centre of mass of " + ", ".join(p.object.Label for p in parts)
+        return parts[0], found, Message("from-centre-of-mass", objects=[p.object.Label for p in parts])
     return parts[0], *geometry.point(parts[0], at)
 
 
@@ -302,7 +305,10 @@ def _core(machine, axes, directions, direction_from, points, tool_point) -> Mach
         return replace(core, tolerances=read_tolerances(machine, core), effects=effects)
     except Refused as error:
         if error.code in DIRECTION_CODES:  # name the objects that the directions come from
-            sources = [f"{axes[n].Label}: {direction_from[n]}" for n in (error.fields["a"], error.fields["b"])]
+            sources = [
+                Message("from-of-axis", axis=axes[n].Label, what=direction_from[n])
+                for n in (error.fields["a"], error.fields["b"])
+            ]
             raise Refused(DIRECTION_CODES[error.code], machine.Label, **error.fields, sources=sources) from None
         raise error.at(machine.Label) from None
 
@@ -352,10 +358,10 @@ def core_machine(machine) -> Machine:
     return survey(machine).core
 
 
-def objective(machine) -> objectives.Objective:
+def objective(machine) -> Objective:
     """What is judged, as set on the machine."""
     try:
-        return objectives.objective(machine.Output, numbers(machine.Weights), bool(machine.Signed))
+        return told.objective(machine.Objective)
     except Refused as error:
         raise error.at(machine.Label) from None
 

@@ -8,15 +8,17 @@ import contextlib
 import FreeCAD as App
 import Part
 
-from ..core.refusal import Refused
+from ..messages import Message, Refused
 from . import curves
 from .paths import DATUM_TYPES, LINE_ALONG_X, LINE_ALONG_Z, PLANES, Place, leaves
 
 LOCAL = {"X": App.Vector(1, 0, 0), "Y": App.Vector(0, 1, 0), "Z": App.Vector(0, 0, 1)}
 
 
-def direction(where: Place, along: str, name: str) -> tuple[App.Vector, str]:
-    """(unit vector, words) of the direction at a place.  along : an entry of `objects.DIRECTION_CHOICES`.
+def direction(where: Place, along: str, name: str) -> tuple[App.Vector, Message]:
+    """(unit vector, where it comes from as a message) of the direction at a place.
+
+    along : an entry of `objects.DIRECTION_CHOICES`.
 
     name : "X", "Y" or "Z", the axis that it is for: the local axis that a coordinate system or part gives by default.
     """
@@ -51,7 +53,9 @@ def _direction(where: Place, along: str, name: str):
 
 
 def _local(where: Place, letter: str):
-    return where.placement.Rotation.multVec(LOCAL[letter]), f"local {letter} of {where.object.Label}"
+    return where.placement.Rotation.multVec(LOCAL[letter]), Message(
+        "from-local", axis=letter, object=where.object.Label
+    )
 
 
 def _real(where: Place):
@@ -64,52 +68,52 @@ def _of_shape(where: Place, shape):
     if kind == "Edge":
         along = curves.line(shape)
         if along is not None:
-            return along, f"along {where.label}"
+            return along, Message("from-along", place=where.label)
         curve = curves.curve(shape)
         if hasattr(curve, "Axis"):
-            return App.Vector(curve.Axis).normalize(), f"axis of {where.label}"
+            return App.Vector(curve.Axis).normalize(), Message("from-axis", place=where.label)
     if kind == "Face":
         normal, surface = curves.plane(shape), curves.surface(shape)
         if normal is not None:
-            return normal, f"normal of {where.label}"
+            return normal, Message("from-normal", place=where.label)
         if hasattr(surface, "Axis"):
-            return App.Vector(surface.Axis).normalize(), f"axis of {where.label}"
+            return App.Vector(surface.Axis).normalize(), Message("from-axis", place=where.label)
     raise Refused("geometry-no-direction", where.object.Label, object=repr(where.label))
 
 
-def point(where: Place, at: str) -> tuple[App.Vector, str]:
-    """(point, words) at a place.  at : an entry of `objects.REFERENCE_CHOICES`."""
+def point(where: Place, at: str) -> tuple[App.Vector, Message]:
+    """(point, message where it comes from) at a place.  at : an entry of `objects.REFERENCE_CHOICES`."""
     with _sound(where):
         return _point(where, at)
 
 
 def _point(where: Place, at: str):
     if at == "Placement":
-        return where.placement.Base, f"placement of {where.object.Label}"
+        return where.placement.Base, Message("from-placement", object=where.object.Label)
     if at == "Centre of mass":
         found = centre_of_mass([where])
         if found is None:
             raise Refused("geometry-no-solid", where.object.Label, object=repr(where.object.Label))
-        return found, f"centre of mass of {where.object.Label}"
+        return found, Message("from-centre-of-mass", objects=[where.object.Label])
     if where.element:
         return _point_of_shape(where, where.shape())
     if _real(where).TypeId not in DATUM_TYPES:
         found = centre_of_mass([where])
         if found is not None:
-            return found, f"centre of mass of {where.object.Label}"
+            return found, Message("from-centre-of-mass", objects=[where.object.Label])
         shape = where.shape()
         if shape is not None and shape.ShapeType in ("Vertex", "Edge", "Wire") and len(shape.Edges) <= 1:
             return _point_of_shape(where, shape.Edges[0] if shape.Edges else shape)
-    return where.placement.Base, f"origin of {where.object.Label}"
+    return where.placement.Base, Message("from-origin", object=where.object.Label)
 
 
 def _point_of_shape(where: Place, shape):
     if shape.ShapeType == "Vertex":
-        return shape.Point, f"{where.label}"
+        return shape.Point, Message("from-vertex", place=where.label)
     if shape.ShapeType == "Edge" and hasattr(curves.curve(shape), "Center"):
-        return App.Vector(curves.curve(shape).Center), f"centre of {where.label}"
+        return App.Vector(curves.curve(shape).Center), Message("from-centre", place=where.label)
     if hasattr(shape, "CenterOfMass"):
-        return shape.CenterOfMass, f"middle of {where.label}"
+        return shape.CenterOfMass, Message("from-middle", place=where.label)
     raise Refused("geometry-no-point", where.object.Label, object=repr(where.label))
 
 

@@ -10,9 +10,12 @@ from __future__ import annotations
 from ..core.distributions import DISTRIBUTIONS  # noqa: F401 - the values that `Distributions` takes
 from ..core.joints import KINDS, LINEAR
 from ..core.machine import SQUARENESS_CONVENTIONS
+from ..core.objectives import MeanSquare, objective
 from ..core.shapes import SHAPES
 from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
-from .base import Property, SensObject, internal, put, quiet, result
+from . import told
+from .base import Property, SensObject, coded, internal, numbers, put, quiet, result
+from .staleness import with_objective
 
 AUTOMATIC = "Automatic"
 DIRECTION_CHOICES = (AUTOMATIC, "Local X", "Local Y", "Local Z")
@@ -28,7 +31,7 @@ _REFERENCE = (
 )  # fmt: skip
 _OFFSETS = (
     result("Vector", "ReferencePoint", "Reference point with all axes at 0, mm, document coordinates"),
-    result("String", "ReferenceFrom", "What the reference point was taken from"),
+    coded("ReferenceFrom", "What the reference point was taken from"),
     result("Vector", "AbbeOffset", "Functional point minus reference point at the current position, mm, document "
                                    "coordinates"),
     result("Distance", "AbbeOffsetX", "Abbe offset along the machine's X"),
@@ -37,14 +40,24 @@ _OFFSETS = (
 )  # fmt: skip
 
 
+def _take_objective(obj) -> None:
+    """Output, weights and sign of schema 2 become one objective, in what indices were computed from too."""
+    old = [getattr(obj, name, None) for name in ("Output", "Weights", "Signed")]
+    if None not in old:
+        put(obj, "Objective", told.objective_text(objective(old[0], numbers(old[1]), bool(old[2]))))
+        put(obj, "Inputs", with_objective(obj.Inputs, told.objective(obj.Objective)))
+    for name in ("Output", "Weights", "Signed"):
+        if hasattr(obj, name):
+            obj.removeProperty(name)
+
+
 class MachineObject(SensObject):
     """A machine of one to six joints; axes, spindle, workpiece, tolerances and results are in its Group."""
 
     kind = "Machine"
-    schema = 2
+    schema = 3
     choices = {
         "Squareness": SQUARENESS_CONVENTIONS,
-        "Output": ("position", "orientation"),
         "Aggregate": ("quadrature", "grid", "at", "low_discrepancy"),
     }
     properties = (
@@ -57,10 +70,8 @@ class MachineObject(SensObject):
                  "direction: a squareness error tilts the direction of motion only (ISO 230-1); carried: it also turns "
                  "what the guide carries", "direction"),
         Property("Map", "Declared", "Machine", "Degree of the declared error functions that differ from 3"),
-        Property("Enumeration", "Output", "Objective", "What is judged: position or orientation of the tool",
-                 "position"),
-        Property("Vector", "Weights", "Objective", "Weights of the three components", (1.0, 1.0, 1.0)),
-        Property("Bool", "Signed", "Objective", "Judge the weighted sum itself instead of the sum of squares", False),
+        Property("String", "Objective", "Objective", "What is judged: name and fields of the objective, as JSON",
+                 told.objective_text(MeanSquare())),
         Property("Enumeration", "Aggregate", "Objective",
                  "Positions: quadrature over the travel, regular grid, one, or a low-discrepancy set", "quadrature"),
         Property("Integer", "Order", "Objective", "Quadrature positions per axis", DEFAULT_ORDER),
@@ -99,6 +110,8 @@ class MachineObject(SensObject):
             chosen = obj.Aggregate
             obj.Aggregate = list(self.choices["Aggregate"])
             obj.Aggregate = chosen
+        if step == 2:
+            _take_objective(obj)
 
 
 class AxisObject(SensObject):
@@ -128,7 +141,7 @@ class AxisObject(SensObject):
                  0.0),
         internal("Float", "StandsAt", "The position at which the parts stand, mm", 0.0),
         result("Vector", "Direction", "Unit vector of positive motion, document coordinates"),
-        result("String", "DirectionFrom", "What the direction was taken from"),
+        coded("DirectionFrom", "What the direction was taken from"),
         *_OFFSETS,
     )  # fmt: skip
 
@@ -174,7 +187,7 @@ class SensitivityObject(SensObject):
     """Indices of a machine: what they were computed from, and whether that has changed since."""
 
     kind = "Sensitivity"
-    schema = 2
+    schema = 3
     properties = (
         result("Bool", "Stale", "The machine has changed since", True),
         result("StringList", "Symbols", "Errors"),
@@ -192,9 +205,7 @@ class SensitivityObject(SensObject):
         result("Float", "MeanSquare", "E[Y], mm² (rad², or mm for a signed component)"),
         result("Float", "Variance", "V(Y), mm⁴ (rad⁴, or mm²)"),
         result("Float", "EstimatedError", "Estimated error of the total indices; negative: none is stated", -1.0),
-        result("String", "Output", "position or orientation"),
-        result("Vector", "Weights", "Weights of the components"),
-        result("Bool", "Signed", "Weighted sum instead of sum of squares", False),
+        result("String", "Objective", "What was judged: name and fields of the objective, as JSON"),
         result("String", "Aggregate", "quadrature, grid or at"),
         result("FloatList", "Points", "Positions per axis, or the one position"),
         result("String", "Squareness", "Convention for squareness"),
@@ -220,6 +231,8 @@ class SensitivityObject(SensObject):
     def migrate(self, obj, step):
         if step == 1:
             self.renew(obj, "Fingerprint", "Inputs")
+        if step == 2:
+            _take_objective(obj)
 
     def onDocumentRestored(self, obj):
         super().onDocumentRestored(obj)

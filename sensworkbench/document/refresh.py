@@ -7,7 +7,8 @@ Only output properties are written, so a recompute never causes another one; pla
 from __future__ import annotations
 
 from ..core.errors import COMPONENTS, Component
-from ..messages import Refused
+from ..messages import Message, Refused
+from . import told
 from .base import alive, members, put
 from .extract import Survey, survey
 from .joints import position
@@ -39,13 +40,14 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     for body, obj in found.owners.items():
         arm = found.arms[body][0]
         put(obj, "ReferencePoint", _reference(core, body))
-        put(obj, "ReferenceFrom", found.reference_from.get(body, "functional point" if body == "T" else "origin"))
+        usual = Message("from-functional-point" if body == "T" else "from-document-origin")
+        put(obj, "ReferenceFrom", told.dumps(found.reference_from.get(body, usual)))
         put(obj, "AbbeOffset", core.frame @ arm)
         for letter, value in zip("XYZ", arm):
             put(obj, f"AbbeOffset{letter}", float(value))
     for name in core.names:
         put(found.owners[name], "Direction", core.joint(name).direction)
-        put(found.owners[name], "DirectionFrom", found.direction_from[name])
+        put(found.owners[name], "DirectionFrom", told.dumps(found.direction_from[name]))
     inputs = result_inputs(machine, core, found.home_arms)
     put(machine, "Inputs", inputs)
     mark_results(machine, inputs)

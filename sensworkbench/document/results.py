@@ -7,11 +7,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..core import objectives, workspace
+from ..core import workspace
 from ..core.distributions import Tolerance
 from ..core.machine import Machine
 from ..messages import Refused
-from .base import numbers, put
+from . import told
+from .base import put
 from .extract import Survey, core_machine, objective, positions
 from .factory import make_sensitivity
 from .refresh import latest, refresh
@@ -110,9 +111,7 @@ def write(obj, result: Result) -> None:
     put(obj, "Moments", [found.mean_square, found.variance, estimated])
     for name, value in zip(("MeanSquare", "Variance", "EstimatedError"), obj.Moments):
         put(obj, name, value)
-    put(obj, "Output", found.objective.output)
-    put(obj, "Weights", found.objective.weights)
-    put(obj, "Signed", found.objective.signed)
+    put(obj, "Objective", told.objective_text(found.objective))
     put(obj, "Aggregate", found.positions.kind)
     at = found.positions.kind == "at"
     put(obj, "Points", found.positions.q[0] if at else found.positions.counts)
@@ -127,10 +126,8 @@ def write(obj, result: Result) -> None:
 
 
 def _take_settings(machine, found: workspace.Sensitivity) -> None:
-    put(machine, "Output", found.objective.output)
+    put(machine, "Objective", told.objective_text(found.objective))
     put(machine, "Aggregate", found.positions.kind)
-    put(machine, "Weights", found.objective.weights)
-    put(machine, "Signed", found.objective.signed)
     counts = found.positions.counts
     if found.positions.kind == "at":
         put(machine, "At", found.positions.q[0])
@@ -158,7 +155,7 @@ def read(obj, core: Machine) -> Result:
         mean_square=obj.MeanSquare,
         variance=obj.Variance,
         positions=where,
-        objective=objectives.objective(obj.Output, numbers(obj.Weights), bool(obj.Signed)),
+        objective=told.objective(obj.Objective),
         estimated_error=None if obj.EstimatedError < 0 else obj.EstimatedError,
         **{attribute: np.array(getattr(obj, name), dtype=float) for name, attribute in PER_ERROR.items()},
     )

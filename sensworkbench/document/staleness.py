@@ -12,8 +12,10 @@ import math
 
 from ..core.effects import Effect
 from ..core.machine import Machine
+from ..core.objectives import Objective
 from ..formats import effects_json
-from .base import members, numbers, put
+from . import told
+from .base import members, put
 from .tree import added_effects, traces_of
 
 TOLERANCE = 1e-6  # mm, and relative: smaller differences count as none
@@ -24,14 +26,22 @@ def result_inputs(machine, core: Machine, arms=None) -> str:
 
     core : the machine that is computed.  arms : its lever arms with all joints at 0, where the caller has them.
     """
-    words = [core.structure, core.squareness, machine.Output, bool(machine.Signed), machine.Aggregate]
-    values = [*numbers(machine.Weights), *_geometry(core, arms)]
+    words = [core.structure, core.squareness, told.objective_data(machine.Objective), machine.Aggregate]
+    values = _geometry(core, arms)
     values += {"quadrature": [machine.Order], "grid": [machine.Grid], "at": list(machine.At)}.get(machine.Aggregate, [])
     for symbol, t in core.all_tolerances.items():
         words += [symbol, t.distribution]
         values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
     words += [_effect(e, core) for e in core.effects if e.enabled]
     return json.dumps([words, values], sort_keys=True)
+
+
+def with_objective(inputs: str, objective: Objective) -> str:
+    """`result_inputs` as schema 2 wrote it (output, sign, and first of the numbers the weights) with the objective."""
+    if not inputs:
+        return ""
+    (structure, squareness, _output, _signed, *words), values = json.loads(inputs)
+    return json.dumps([[structure, squareness, objective.to_json(), *words], values[3:]], sort_keys=True)
 
 
 def trace_inputs(core: Machine, without=(), arms=None) -> str:

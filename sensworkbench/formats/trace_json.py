@@ -52,18 +52,6 @@ def remark(severity: str, code: str, message: Message | str, line: int) -> dict:
     return {"severity": severity, "code": code, **words, "line": line}
 
 
-def message(data: Mapping) -> Message:
-    """The message of its plain data, messages within it too.  Raises KeyError where there is no code."""
-    fields = {k: _restored(v) for k, v in data.items() if k not in ("code", "text")}
-    return Message(data["code"], **fields)
-
-
-def _restored(value):
-    if isinstance(value, Mapping) and "code" in value and "text" in value:
-        return message(value)
-    return [_restored(v) for v in value] if isinstance(value, list) else value
-
-
 def text(data: Mapping, key: str, language: str = "en") -> str:
     """The sentence under `key` in a language; as it stands where its code is not known ("" where it is not there)."""
     return _spoken(data.get(f"{key}_message"), data.get(key) or "", language)
@@ -79,7 +67,7 @@ def texts(data: Mapping, key: str, language: str = "en") -> list[str]:
 
 def _spoken(entry: Mapping | None, text: str, language: str) -> str:
     """The message of its plain data in a language; `text` where there is none, or one of a later version."""
-    return message(entry).text(language) if entry and known(entry.get("code", "")) else text
+    return Message.from_dict(entry).text(language) if entry and known(entry.get("code", "")) else text
 
 
 # -- the file ----------------------------------------------------------------------------------------------------------

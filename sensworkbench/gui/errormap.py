@@ -90,7 +90,16 @@ class ErrorMap:
         if form != POINTS and not (len(axes) == 3 and form[-1] in [axis.Axis for axis in axes]):
             form = POINTS  # a slice is one of three axes
         stands = [tuple(machine.FunctionalPoint), *(tuple(axis.Direction) for axis in axes)]
-        key = (machine.Inputs, shown_unit(machine.Output), *stands, colour_map, what, form, at)
+        key = (
+            machine.Inputs,
+            shown_unit(extract.objective(machine).output),
+            machine.Objective,
+            *stands,
+            colour_map,
+            what,
+            form,
+            at,
+        )
         if key != self._key:
             core, objective = extract.core_machine(machine), extract.objective(machine)
             q = positions(core, form, at)

@@ -11,6 +11,7 @@ import FreeCAD as App
 
 from ..core.refusal import Refused
 from ..core.workspace import Cancelled
+from ..document import told
 from .qt import Qt, QtCore, QtGui, main_window, run, translate, usual_cursor
 
 
@@ -32,6 +33,11 @@ def language() -> str:
 def words(found) -> str:
     """A refusal or message in the language of the window."""
     return found.text(language())
+
+
+def stored(text: str) -> str:
+    """The sentence of a property that holds code and fields (`document.told`), in the language of the window."""
+    return told.words(text, language())
 
 
 def refused(error: Refused, doc):

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import itertools
 
-import FreeCAD as App
-
 from ..core.machine import MOST_JOINTS
-from ..document import tree
+from ..core.refusal import Refused
+from ..document import extract, told, tree
 from . import display, messages
 from .colormap import MAPS
+from .objective_form import ObjectiveForm
 from .preferences import (
     aggregate_choices,
     colour_by_choices,
@@ -54,21 +54,7 @@ class Settings(QtGui.QScrollArea):
     def _objective(self):
         group = QtGui.QGroupBox(translate("Sens", "What is judged"))
         rows = QtGui.QFormLayout(group)
-        self.output = combo([
-            ("position", translate("Sens", "Position of the tool")),
-            ("orientation", translate("Sens", "Orientation of the tool")),
-        ])  # fmt: skip
-        self.signed = combo([
-            (False, translate("Sens", "Sum of squares")), (True, translate("Sens", "Signed sum")),
-        ])  # fmt: skip
-        self.weights = [number_box(-1000, 1000, 3, 0.5) for _ in range(3)]
-        weights = QtGui.QHBoxLayout()
-        for label, box in zip("XYZ", self.weights):
-            weights.addWidget(QtGui.QLabel(label))
-            weights.addWidget(box, 1)
-        tip = translate("Sens", "Weight of each component; 0 leaves it out (a groove does not care along its length)")
-        for box in self.weights:
-            box.setToolTip(tip)
+        self.objective = ObjectiveForm()
         self.aggregate = combo(aggregate_choices())
         self.count = QtGui.QSpinBox()
         self.count.setRange(1, 120)
@@ -81,9 +67,7 @@ class Settings(QtGui.QScrollArea):
             ("direction", translate("Sens", "tilts the motion (ISO 230-1)")),
             ("carried", translate("Sens", "also turns what the guide carries")),
         ])  # fmt: skip
-        rows.addRow(translate("Sens", "Output"), self.output)
-        rows.addRow(translate("Sens", "Objective"), self.signed)
-        rows.addRow(translate("Sens", "Weights"), weights)
+        rows.addRow(self.objective)
         rows.addRow(translate("Sens", "Positions"), self.aggregate)
         rows.addRow(translate("Sens", "Per axis"), self.count)
         rows.addRow(translate("Sens", "Position"), at)
@@ -180,10 +164,7 @@ class Settings(QtGui.QScrollArea):
             return
         self._quiet = True
         try:
-            write_field(self.output, machine.Output)
-            write_field(self.signed, bool(machine.Signed))
-            for box, value in zip(self.weights, machine.Weights):
-                box.setValue(value)
+            self._show_objective(machine)
             write_field(self.aggregate, machine.Aggregate)
             self.count.setValue(machine.Grid if machine.Aggregate == "grid" else machine.Order)
             axes = tree.joint_names(tree.bodies(machine))
@@ -210,6 +191,13 @@ class Settings(QtGui.QScrollArea):
                     self.upper.setValue(shown.upper)
         finally:
             self._quiet = False
+
+    def _show_objective(self, machine) -> None:
+        """The objective of the machine; the fields stay as they are where it is not registered here."""
+        try:
+            self.objective.show_objective(extract.objective(machine))
+        except Refused as error:
+            messages.status(messages.words(error))
 
     def _show_slice(self, view) -> None:
         """The slider for the sliced axis; nothing to slide for points."""
@@ -245,13 +233,10 @@ class Settings(QtGui.QScrollArea):
             return
 
         def change():
-            for name, field in (
-                ("Output", self.output), ("Aggregate", self.aggregate), ("Squareness", self.squareness)
-            ):  # fmt: skip
+            machine.Objective = told.objective_text(self.objective.objective())
+            for name, field in (("Aggregate", self.aggregate), ("Squareness", self.squareness)):
                 if getattr(machine, name) != read_field(field):
                     setattr(machine, name, read_field(field))
-            machine.Signed = bool(read_field(self.signed))
-            machine.Weights = App.Vector(*[b.value() for b in self.weights])
             machine.At = [b.value() for b in self.at[: len(tree.joint_names(tree.bodies(machine)))]]
             if read_field(self.aggregate) != "at":
                 setattr(machine, "Grid" if read_field(self.aggregate) == "grid" else "Order", self.count.value())

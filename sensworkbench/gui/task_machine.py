@@ -285,10 +285,12 @@ class TaskMachine(Panel):
             return ""
         lines = []
         if self.body in self.names:
-            lines.append(translate("Sens", "Direction: {vector} ({source})").format(
-                vector=vector_words(owner.Direction, 4), source=owner.DirectionFrom))  # fmt: skip
-        lines.append(translate("Sens", "Reference point: {vector} mm ({source})").format(
-            vector=vector_words(owner.ReferencePoint, 2), source=owner.ReferenceFrom))  # fmt: skip
+            words = translate("Sens", "Direction: {vector} ({source})")
+            source = messages.stored(owner.DirectionFrom)
+            lines.append(words.format(vector=vector_words(owner.Direction, 4), source=source))
+        words = translate("Sens", "Reference point: {vector} mm ({source})")
+        source = messages.stored(owner.ReferenceFrom)
+        lines.append(words.format(vector=vector_words(owner.ReferencePoint, 2), source=source))
         offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in "XYZ")
         lines.append(translate("Sens", "Abbe offset here: {offset} mm").format(offset=offset))
         return "\n".join(lines)

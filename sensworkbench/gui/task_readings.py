@@ -216,7 +216,7 @@ class TaskReadings(Panel):
             self._say(self.problem, bad=True)
             return
         for f in self.readings.findings:
-            item = QtGui.QListWidgetItem(closed_loop.finding_words(f, messages.language()))
+            item = QtGui.QListWidgetItem(closed_loop.finding_message(f).text(messages.language()))
             kind = QtGui.QStyle.SP_MessageBoxInformation if f.severity == "info" else QtGui.QStyle.SP_MessageBoxWarning
             item.setIcon(self.form.style().standardIcon(kind))
             self.findings.addItem(item)

@@ -62,7 +62,10 @@ class TaskTrace(Panel):
         )
         label = QtGui.QLabel(words)
         label.setWordWrap(True)
-        label.setToolTip("\n".join(self.table.Findings) or translate("Sens", "Nothing was noticed while reading"))
+        label.setToolTip(
+            "\n".join(messages.stored(f) for f in self.table.Findings)
+            or translate("Sens", "Nothing was noticed while reading")
+        )
         layout.addWidget(label)
         row = QtGui.QHBoxLayout()
         self.run = QtGui.QPushButton(QtGui.QIcon(messages.icon("Sens_Trace")), translate("Sens", "Trace"))

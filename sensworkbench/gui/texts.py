@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import re
-from math import sqrt
 
 import FreeCAD as App
 
-from ..core.errors import COMPONENTS, ROTATION, SQUARENESS, Component, square_to
+from ..core.errors import COMPONENTS, Component
+from ..core.objectives import MeanSquare, Objective
+from ..core.refusal import Refused
+from ..core.synthesis import POSITION
 from ..core.units import factor, shown
-from ..document import tree
-from . import settings
+from ..document import told, tree
+from . import messages, settings
 from .qt import translate
 
 UNIT_SIGNS = {"um": "µm", "urad": "µrad", "arcsec": "″", "deg": "°"}
@@ -48,24 +50,7 @@ def error_meaning(symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
     c = known.get(symbol)
     if c is None:  # a traced effect: its name says what it is
         return translate("Sens", "traced effect")
-    along = "XYZ"[c.axis]
-    if c.kind == SQUARENESS:
-        return translate("Sens", "squareness of {body} to {other}").format(body=c.body, other=square_to(c))
-    if c.kind == ROTATION:
-        if c.body == "W":
-            return translate("Sens", "workpiece, rotation about {axis}").format(axis=along)
-        if c.body == "T":
-            return translate("Sens", "spindle, tilt about {axis}").format(axis=along)
-        if c.axis == c.along:
-            return translate("Sens", "roll of {body}").format(body=c.body)
-        return translate("Sens", "tilt of {body} about {axis}").format(body=c.body, axis=along)
-    if c.body == "W":
-        return translate("Sens", "workpiece, shift along {axis}").format(axis=along)
-    if c.body == "T":
-        return translate("Sens", "spindle, shift along {axis}").format(axis=along)
-    if c.axis == c.along:
-        return translate("Sens", "positioning of {body}").format(body=c.body)
-    return translate("Sens", "straightness of {body} along {axis}").format(body=c.body, axis=along)
+    return messages.words(c.title)
 
 
 def effect_of(machine, name: str):
@@ -154,19 +139,20 @@ def position_words(position: dict[str, str]) -> str:
 
 
 def objective_text(result) -> str:
-    """What Y is: the squared error of position or orientation, or the weighted sum of its components."""
-    position = result.Output == "position"
-    weights = (result.Weights.x, result.Weights.y, result.Weights.z)
-    if weights == (1.0, 1.0, 1.0) and not result.Signed:
-        if position:
+    """What Y is: the squared error of position or orientation, or the formula of any other objective."""
+    try:
+        found = told.objective(result.Objective)
+    except Refused as error:  # of an objective that is not registered here
+        return error.what
+    if found == MeanSquare(found.output):
+        if found.output == POSITION:
             return translate("Sens", "Y: square of the position error of the tool")
         return translate("Sens", "Y: square of the orientation error of the tool")
-    letters = ("Δx", "Δy", "Δz") if position else ("Δa", "Δb", "Δc")
-    power = "" if result.Signed else "²"
-    parts = [(f"{plain(abs(w))}·" if abs(w) != 1 else "") + name + power for w, name in zip(weights, letters) if w]
-    signs = [("− " if w < 0 else "+ ") for w in weights if w]
-    text = " ".join(s + p for s, p in zip(signs, parts))
-    return "Y = " + text.removeprefix("+ ")
+    return "Y = " + _SYMBOLS.sub(lambda m: SHOWN[m.group()], found.formula).replace("-", "−")
+
+
+SHOWN = {"T4": "Δx", "T5": "Δy", "T6": "Δz", "R1": "Δa", "R2": "Δb", "R3": "Δc"}  # the paper's symbol -> the window's
+_SYMBOLS = re.compile(r"\b(?:T4|T5|T6|R1|R2|R3)")
 
 
 def square_text(result) -> str:
@@ -184,10 +170,30 @@ def shown_unit(output: str) -> tuple[str, float]:
     return unit_sign(unit), 1 / factor(unit, angular=True)
 
 
+def size_of(objective: Objective, mean: float) -> str:
+    """The mean of an objective as a length or angle with its unit, and how it is called: `√E[Y] = 12.3 µm`."""
+    unit, value = shown_size(objective, mean)
+    return f"{mean_name(objective)} = {value:.3g} {unit}"
+
+
+def shown_size(objective: Objective, mean: float) -> tuple[str, float]:
+    """(unit, value) of the mean of an objective in µm, or in the preferred unit of angles."""
+    unit, scale = shown_unit(objective.output)
+    return unit, objective.size_shown(max(mean, 0.0) if objective.power == 2 else mean) * scale / (
+        1e3 if objective.output == POSITION else 1e6
+    )
+
+
+def mean_name(objective: Objective) -> str:
+    """What the mean is called where it is shown as a length."""
+    if not objective.has_shares:  # a size already, of which no mean is taken
+        return "Y"
+    return "E[Y]" if objective.power == 1 else "√E[Y]"
+
+
 def mean_square_text(result) -> str:
-    """E[Y] and the root of it, in µm or the preferred unit of angles."""
-    unit, scale = shown_unit(result.Output)
-    value = result.MeanSquare
-    if result.Signed:
-        return f"E[Y] = {plain(value * scale)} {unit}"
-    return f"√E[Y] = {sqrt(max(value, 0.0)) * scale:.3g} {unit}"
+    """E[Y] or the root of it, in µm or the preferred unit of angles; "" for an objective that is not registered."""
+    try:
+        return size_of(told.objective(result.Objective), result.MeanSquare)
+    except Refused:
+        return ""

@@ -14,9 +14,11 @@ from ..core.errors import COMPONENTS, component
 from ..formats import trace_html
 from ..formats.trace_html import driver_words, parameter_words, shape_words, um, unit_words
 from ..formats.words import Words
+from ..messages import Message
 from ..studies.trace import component_values, point_vectors
 from . import plots
 from .finding_words import all_said, language, said
+from .messages import words
 from .qt import Qt, QtCore, QtGui, translate
 from .texts import body_name, error_meaning
 
@@ -98,8 +100,8 @@ def table(head, rows) -> str:
 
 def _cell(text) -> str:
     """A short text stays in one line: Qt breaks words where a column is narrow."""
-    words = escape(str(text))
-    return f"<p style='white-space:nowrap; margin:0'>{words}</p>" if len(str(text)) < 14 else words
+    shown = escape(str(text))
+    return f"<p style='white-space:nowrap; margin:0'>{shown}</p>" if len(str(text)) < 14 else shown
 
 
 def facts(pairs) -> str:
@@ -114,33 +116,13 @@ def facts(pairs) -> str:
 # -- words -------------------------------------------------------------------------------------------------------------
 def verdict(name: str) -> tuple[str, str]:
     """(title, sentence) of a verdict."""
-    return {
-        "nothing_to_explain": (
-            translate("Sens", "Nothing to explain"),
-            translate("Sens", "The declared errors account for these readings down to their noise."),
-        ),
-        "explained": (
-            translate("Sens", "Explained"),
-            translate("Sens", "The named effects account for what the declared errors leave over."),
-        ),
-        "partly_explained": (
-            translate("Sens", "Partly explained"),
-            translate("Sens", "Something is named, but more is left than noise, or its driver was not logged."),
-        ),
-        "unexplained": (
-            translate("Sens", "Unexplained"),
-            translate("Sens", "The declared errors leave something over, and no name for it survives the tests."),
-        ),
-    }[name]
+    title, sentence = trace_html.VERDICTS[name]
+    return words(title), words(sentence)
 
 
 def stage(name: str) -> str:
     """Return the name of a stage of the correction, in words."""
-    return {
-        "uncorrected": translate("Sens", "Uncorrected (set-up aligned)"),
-        "declared": translate("Sens", "Declared errors corrected"),
-        "augmented": translate("Sens", "With the found effects"),
-    }[name]
+    return words(trace_html.STAGES[name])
 
 
 def short_stages() -> list[tuple[str, str]]:
@@ -153,28 +135,18 @@ def short_stages() -> list[tuple[str, str]]:
 
 def parameter_name(key: str) -> str:
     """What a parameter of an effect is, in words."""
-    return {
-        "coefficient": translate("Sens", "Coefficient"),
-        "tau": translate("Sens", "Time constant"),
-        "period": translate("Sens", "Period"),
-        "at": translate("Sens", "Jumps at"),
-        "exponent": translate("Sens", "Exponent"),
-        "width": translate("Sens", "Half-width of the play"),
-        "state0": translate("Sens", "State at the start"),
-        "domain": translate("Sens", "Driver from, to"),
-        "extent": translate("Sens", "Lowest, highest value"),
-    }.get(key, key)
+    return words(trace_html.PARAMETERS[key]) if key in trace_html.PARAMETERS else key
 
 
 def result_page(report, machine=None):
     """Verdict, what was found, and the error of held-out readings at each stage."""
 
     def fill(page: Page) -> str:
-        title, words = verdict(report["verdict"])
+        title, sentence = verdict(report["verdict"])
         colour = _COLOURS[report["verdict"]]
         parts = [
             f'<p style="margin-bottom:2px"><span style="color:{colour};font-size:large"><b>{escape(title)}</b></span>'
-            f"</p>{paragraph(words)}"
+            f"</p>{paragraph(sentence)}"
         ]
         for e in report["effects"]:
             parts.append(heading(said(e, "name")))
@@ -214,18 +186,18 @@ def _finding_sentence(e, machine) -> str:
         symbol=e["component"], body=who, driver=driver_words(e["driver"]), size=um(e["amplitude_um"])
     )
     value = e["parameters"].get("coefficient")
-    words = f"{what}; {parameter_words(value, Words(language()))}" if value else what
+    told = f"{what}; {parameter_words(value, Words(language()))}" if value else what
     count = len(e["rivals"])
     if count:
-        words += "; " + translate("Sens", "rivals that these readings cannot tell from it: {n}").format(n=count)
-    return words + "."
+        told += "; " + translate("Sens", "rivals that these readings cannot tell from it: {n}").format(n=count)
+    return told + "."
 
 
 def _candidates(entries) -> list[tuple]:
     """Component, driver, shape and reason of rivals or refused names."""
-    words = Words(language())
+    spoken = Words(language())
     return [
-        (r["component"], driver_words(r["driver"]), shape_words(r["shape"], words), said(r, "why")) for r in entries
+        (r["component"], driver_words(r["driver"]), shape_words(r["shape"], spoken), said(r, "why")) for r in entries
     ]
 
 
@@ -298,10 +270,10 @@ def _driver_chart(page: Page, entry, outcome) -> str:
             width, x, asked, fitted, single, names, _driver_label(effect, outcome), ylabel, page.palette()
         )
     )
-    words = translate(
+    note = translate(
         "Sens", "Each point: the value that a reading asks of the component when everything else is taken away."
     )
-    return shown + paragraph(words)
+    return shown + paragraph(note)
 
 
 def _driver_label(effect, outcome) -> str:
@@ -330,8 +302,10 @@ def before_after_page(report, outcome=None):
         span = report["error"]["augmented"]["held_out"].get("rms_interval_um")
         before = report["error"]["declared"]["held_out"].get("rms_interval_um")
         if span and before:
-            words = translate("Sens", "95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.")
-            parts.append(paragraph(words.format(a=um(before[0]), b=um(before[1]), c=um(span[0]), d=um(span[1]))))
+            span_words = translate(
+                "Sens", "95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after."
+            )
+            parts.append(paragraph(span_words.format(a=um(before[0]), b=um(before[1]), c=um(span[0]), d=um(span[1]))))
         if outcome is not None:
             sizes = [np.linalg.norm(point_vectors(outcome, f"{s}_held_out"), axis=1) for s in ("declared", "augmented")]
             names = (translate("Sens", "before"), translate("Sens", "after"))
@@ -381,13 +355,13 @@ def next_page(report):
         if report["next_measurements"]:
             parts.append(heading(translate("Sens", "What to measure next")))
             for m in report["next_measurements"]:
-                words = translate("Sens", "{do} (predicted difference {size} µm)").format(
+                doing = translate("Sens", "{do} (predicted difference {size} µm)").format(
                     do=said(m, "do"), size=um(m["predicted_difference_um"])
                 )
                 separates = " / ".join(all_said(m, "separates"))
-                words = words[:1].upper() + words[1:]
+                doing = doing[:1].upper() + doing[1:]
                 told = translate("Sens", "Tells apart: {what}").format(what=separates)
-                parts.append(f"{paragraph(words)}<p><i>{escape(told)}</i></p>")
+                parts.append(f"{paragraph(doing)}<p><i>{escape(told)}</i></p>")
         else:
             parts.append(paragraph(translate("Sens", "No further measurement is needed to tell the findings apart.")))
         if report["not_testable"]:
@@ -433,8 +407,13 @@ def fit_page(fit):
             parts.append(heading(translate("Sens", "Gross outliers, left out")))
             parts.append(table(["#" + translate("Sens", "Line"), "#X / mm", "#Y / mm", "#Z / mm"], rows))
         rows = [
-            (label, "–" if value is None else f"{value:.3g}", "" if u is None else f"± {u:.2g}", unit_words(unit))
-            for label, value, u, unit in fit["parameters"]
+            (
+                words(title) if isinstance(title, Message) else title,
+                "–" if value is None else f"{value:.3g}",
+                "" if u is None else f"± {u:.2g}",
+                unit_words(unit),
+            )
+            for title, value, u, unit in fit["parameters"]
         ]
         parts.append(heading(translate("Sens", "Parameters (–: not determined)")))
         parts.append(table([translate("Sens", "Parameter"), "#" + translate("Sens", "Value"), "#u", ""], rows))

@@ -8,21 +8,20 @@ Everything here works on a copy of the machine in memory; the document changes o
 from __future__ import annotations
 
 from dataclasses import replace
-from math import sqrt
 
 import FreeCAD as App
 
 from ..core import workspace
 from ..core.refusal import Refused
 from ..core.units import parse
-from ..document import extract, factory, results, tables, tree
+from ..document import extract, factory, results, tables, told, tree
 from ..document.refresh import components
 from . import display, live, messages
 from .copying import copyable
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, Signal, translate
 from .ranking import _Item, angular
-from .texts import body_name, limits, meaning, short_name, shown_unit
+from .texts import body_name, limits, mean_name, meaning, short_name, shown_size
 
 ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 SYMBOL = Qt.UserRole + 2  # the error of a row, its component in the column of components
@@ -212,7 +211,7 @@ class WhatIf(QtGui.QWidget):
         self._show_shift()
         self._quiet = True
         if self.machine is not None:
-            for box, value in zip(self.weights, self.machine.Weights):
+            for box, value in zip(self.weights, self._set_weights()):
                 box.setValue(value)
         self._quiet = False
         self.compute()
@@ -281,8 +280,15 @@ class WhatIf(QtGui.QWidget):
 
     def _weights_changed(self) -> bool:
         return self.machine is not None and any(
-            abs(b.value() - w) > 1e-9 for b, w in zip(self.weights, self.machine.Weights)
+            abs(b.value() - w) > 1e-9 for b, w in zip(self.weights, self._set_weights())
         )
+
+    def _set_weights(self) -> tuple[float, float, float]:
+        """Weights of the machine's objective; ones where it is not registered here."""
+        try:
+            return extract.objective(self.machine).weights
+        except Refused:
+            return (1.0, 1.0, 1.0)
 
     def _fill(self, core, then) -> None:
         result = self.result
@@ -335,22 +341,15 @@ class WhatIf(QtGui.QWidget):
         self.summary.setText(self._words(self._then))
 
     def _words(self, then) -> str:
-        unit, scale = shown_unit(then.objective.output)
-
-        def size(value, power):
-            return (value if power == 1 else sqrt(max(value, 0.0))) * scale
-
-        power = then.objective.power
-        old, new = size(self.result.MeanSquare, 1 if self.result.Signed else 2), size(then.mean_square, power)
-        name = "E[Y]" if power == 1 else "√E[Y]"
-        text = f"{name}: {old:.3g} {unit} → <b>{new:.3g} {unit}</b>"
+        (_, old), (unit, new) = (shown_size(then.objective, m) for m in (self.result.MeanSquare, then.mean_square))
+        text = f"{mean_name(then.objective)}: {old:.3g} {unit} → <b>{new:.3g} {unit}</b>"
         if old > 0:
             text += f" ({100 * (new - old) / old:+.1f} %)"
         worst = max(zip(then.bodies, then.component_total.tolist()), key=lambda p: p[1])
         words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
         text += " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
         limit = self.allowed.value()
-        if limit > 0 and unit == "µm" and power == 2:
+        if limit > 0 and unit == "µm" and then.objective.power == 2:
             words = translate("Sens", "passes") if new <= limit else translate("Sens", "fails")
             colour = "#3f7d3a" if new <= limit else "#c0392b"
             text += f" · <b style='color:{colour}'>{words}</b> ({limit:g} µm)"
@@ -373,7 +372,7 @@ class WhatIf(QtGui.QWidget):
         def change():
             known = set(tables.read_tolerances(machine)) | set(self.changes)
             factory.set_tolerances(machine, {s: t for s, t in core.all_tolerances.items() if s in known})
-            machine.Weights = App.Vector(*objective.weights)
+            machine.Objective = told.objective_text(objective)
             for name, offset in self.moved.items():
                 tree.axis_of(machine, name).ReferenceOffset += App.Vector(*offset)
             display.compute_and_colour(machine)

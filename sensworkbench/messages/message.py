@@ -37,6 +37,11 @@ class Message:
         """Plain data for a JSON file: code, English text and the fields."""
         return {"code": self.code, "text": self.text()} | {k: _plain(v) for k, v in self.fields.items()}
 
+    @classmethod
+    def from_dict(cls, data: Mapping) -> Message:
+        """The message of its plain data, messages within it too.  Raises KeyError where there is no code."""
+        return cls(data["code"], **{k: _read(v) for k, v in data.items() if k not in ("code", "text")})
+
     def __str__(self) -> str:
         return self.text()
 
@@ -55,6 +60,12 @@ class Message:
 
 def _restored(code: str, fields: Mapping) -> Message:
     return Message(code, **fields)
+
+
+def _read(value):
+    if isinstance(value, Mapping) and "code" in value and "text" in value:
+        return Message.from_dict(value)
+    return [_read(v) for v in value] if isinstance(value, list) else value
 
 
 def _plain(value):

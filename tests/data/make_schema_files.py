@@ -21,7 +21,8 @@ import FreeCAD as App  # noqa: E402
 
 from sensworkbench.closedloop.trace import trace  # noqa: E402
 from sensworkbench.core import distributions  # noqa: E402
-from sensworkbench.document import closed_loop, extract, factory, jog, results  # noqa: E402
+from sensworkbench.core.objectives import MeanSquare  # noqa: E402
+from sensworkbench.document import closed_loop, extract, factory, jog, results, told  # noqa: E402
 from sensworkbench.document.base import kind_of  # noqa: E402
 from sensworkbench.formats import readings_csv  # noqa: E402
 from sensworkbench.formats.effects_json import of_parameters  # noqa: E402
@@ -29,7 +30,7 @@ from tests.document import simulated  # noqa: E402
 from tests.document.blocks import TURNED, golden_machine  # noqa: E402
 from tests.document.stored import values  # noqa: E402
 
-SCHEMA = 2
+SCHEMA = 3
 
 
 def plain_machine(doc):
@@ -52,7 +53,7 @@ def full_machine(doc):
     machine.Declared = {"EXX": "5"}
     machine.Extra = json.dumps({"x-maker": "someone"})
     machine.Squareness = "carried"
-    machine.Weights = App.Vector(1, 2, 0.5)
+    machine.Objective = told.objective_text(MeanSquare(weights=(1, 2, 0.5)))
     machine.Aggregate, machine.At = "at", [10, -20, 30]
     results.compute(machine)
     jog.jog(machine, {"X": 12, "Z": -7})

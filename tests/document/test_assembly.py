@@ -10,7 +10,7 @@ import pytest
 from sensworkbench.core import workspace
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import assembly as from_assembly
-from sensworkbench.document import drive, extract, results, tree
+from sensworkbench.document import drive, extract, results, told, tree
 
 from .assemblies import PLACES, SLIDERS, TIP, ground, group_of, join, limit, new_assembly, slider_machine
 from .blocks import TURNED, block, close, golden_machine, point
@@ -45,7 +45,7 @@ def test_joints_say_who_is_who_where_and_how_far(made):
         assert close(axis.Direction, direction) and close(axis.ReferencePoint, at), name
         assert (axis.TravelLower.Value, axis.TravelUpper.Value) == (-300, 300)
         assert axis.Position.Value == 0
-        assert f"Slider {name}" in axis.DirectionFrom and f"Slider {name}" in axis.ReferenceFrom
+        assert f"Slider {name}" in told.words(axis.DirectionFrom) and f"Slider {name}" in told.words(axis.ReferenceFrom)
 
 
 def test_indices_are_those_of_the_same_machine_without_joints(doc, made):

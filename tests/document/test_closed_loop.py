@@ -17,7 +17,7 @@ from sensworkbench.closedloop.declared import declared_fit, fit_summary
 from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import closed_loop, extract, results, tree
+from sensworkbench.document import closed_loop, extract, results, told, tree
 from sensworkbench.document.examples import make_example
 from sensworkbench.formats import readings_csv, study_files, trace_json
 
@@ -94,7 +94,7 @@ def test_the_declared_fit_says_what_it_cannot_tell(machine, measured):
     assert found["rank"] < found["columns"] and found["null_space"]
     assert {m.code for m in found["null_space"]} <= {"null-unseen-tool", "null-alike-tool"}
     unknown = [label for label, value, _, _ in found["parameters"] if value is None]
-    assert unknown and all(any(u.split(" (")[0] in str(m) for m in found["null_space"]) for u in unknown)
+    assert unknown and all(any(str(u).split(" (")[0] in str(m) for m in found["null_space"]) for u in unknown)
     # the column bends by 6 urad/K and nobody declared that
     assert found["rms"]["rms_um"] > 2 * 0.4 * np.sqrt(3)
 
@@ -114,7 +114,7 @@ def test_a_trace_is_there_again_after_saving(machine, traced, tmp_path):
         same = opened.getObject(found.Name)
         assert same.Verdict == "explained" and not same.Stale
         assert same.Readings == opened.getObject(table.Name)
-        assert "EAZ driven by temp_column" in same.Summary
+        assert "EAZ driven by temp_column" in told.words(same.Summary)
         outcome = closed_loop.evidence_of(same)
         assert closed_loop.report_of(same) == json.loads(json.dumps(trace_json.to_dict(_outcomes["one"])))
         for name, series in _outcomes["one"].residuals.items():

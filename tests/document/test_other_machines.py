@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import FreeCAD as App
@@ -204,19 +205,19 @@ def refused(machine):
 
 
 @pytest.mark.parametrize("value", [1e308, -1e308, math.inf, math.nan])
-@pytest.mark.parametrize("spoil", ["Weights", "ReferenceOffset", "StandsAt", "TravelUpper"])
+@pytest.mark.parametrize("spoil", ["Objective", "ReferenceOffset", "StandsAt", "TravelUpper"])
 def test_indices_that_are_no_numbers_are_refused_with_their_place_and_never_stored(doc, spoil, value):
     machine = golden_machine(doc)
     stored = list(results.compute(machine).Total)
     axis = tree.axis_of(machine, "Z")
-    if spoil == "Weights":
-        machine.Weights = V(value, 1, 1)
+    if spoil == "Objective":
+        machine.Objective = json.dumps({"name": "mean_square", "weights": [value, 1, 1]})
     elif spoil == "ReferenceOffset":
         axis.ReferenceOffset = V(value, 0, 0)
     else:
         setattr(axis, spoil, value)
     found = refused(machine)
-    assert ("Golden" if spoil == "Weights" else "Axis Z") in found.where
+    assert ("Golden" if spoil == "Objective" else "Axis Z") in found.where
     assert list(tree.sensitivity_of(machine).Total) == stored
     assert np.all(np.isfinite(tree.sensitivity_of(machine).Total))
 

@@ -12,11 +12,12 @@ import pytest
 from sensworkbench.core import distributions, workspace
 from sensworkbench.core import machine as core
 from sensworkbench.core.joints import linear
+from sensworkbench.core.objectives import Signed
 from sensworkbench.core.refusal import Refused
-from sensworkbench.document import base, extract, factory, jog, objects, results, tables, tree
+from sensworkbench.document import base, extract, factory, jog, objects, results, tables, told, tree
 from sensworkbench.formats.effects_json import of_parameters
 
-from .blocks import REFERENCES, TOOL, V, close, golden_machine
+from .blocks import REFERENCES, TOOL, close, golden_machine
 
 EFFECT = of_parameters(
     "column tilts with temperature", "EAZ", "temp_column", "linear",
@@ -94,15 +95,14 @@ def test_proxies_hold_nothing(proxy):
 
 def test_a_property_that_an_older_file_lacks_is_added_once(doc):
     machine = golden_machine(doc)
-    weights = V(1, 2, 0)
-    machine.Weights = weights
+    machine.Objective = judged = told.objective_text(Signed(weights=(1, 2, 0)))
     machine.removeProperty("Order")
     machine.SchemaVersion = 0
     for _ in range(2):
         machine.Proxy.onDocumentRestored(machine)
         assert machine.Order == workspace.DEFAULT_ORDER
         assert machine.SchemaVersion == objects.MachineObject.schema
-        assert machine.Weights == weights
+        assert machine.Objective == judged
         assert machine.getEditorMode("Structure") == ["ReadOnly"]
 
 
@@ -111,9 +111,9 @@ def test_numpy_values_are_stored_as_they_are(doc):
     base.put(found, "Total", np.array([0, 0.5, 1.0]))
     base.put(found, "MeanSquare", np.float64(0.25))
     base.put(found, "Stale", np.bool_(True))
-    base.put(found, "Weights", np.array([1, 0, 2]))
+    base.put(found, "Moments", np.array([1, 0, 2]))
     assert list(found.Total) == [0, 0.5, 1.0] and found.MeanSquare == 0.25 and found.Stale is True
-    assert found.Weights == V(1, 0, 2)
+    assert list(found.Moments) == [1, 0, 2]
 
 
 def test_the_document_and_the_file_describe_the_same_machine(doc):

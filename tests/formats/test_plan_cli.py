@@ -14,7 +14,8 @@ import pytest
 
 from sensworkbench import cli
 from sensworkbench.closedloop.plan import Plan
-from sensworkbench.formats import machine_json, plan_json, trace_json
+from sensworkbench.formats import machine_json, plan_json
+from sensworkbench.messages import Message
 
 from .support import ROOT, command, golden, write
 
@@ -177,9 +178,9 @@ def test_a_sentence_of_the_data_has_its_code_and_fields_beside_it(place):
     entries += [(e, k) for e in data["effects"] for k in ("name", "usual_size")] + [(h, "name") for h in data["hidden"]]
     assert len(entries) > 60
     for entry, key in entries:
-        assert str(trace_json.message(entry[f"{key}_message"])) == entry[key]
+        assert str(Message.from_dict(entry[f"{key}_message"])) == entry[key]
     for entry, key in [(data["identifiability"], "null_space"), *((p, "effects") for p in data["confused"])]:
-        assert [str(trace_json.message(m)) for m in entry[f"{key}_messages"]] == entry[key] != []
+        assert [str(Message.from_dict(m)) for m in entry[f"{key}_messages"]] == entry[key] != []
 
 
 def test_every_candidate_stands_in_the_table(place):

@@ -348,10 +348,10 @@ def test_a_code_with_its_fields_is_beside_every_sentence_of_trace_json(traced):
     folder, _ = traced
     data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
     assert {p.rpartition(".")[2] for p in texts_without_code(data)} <= {"needs", "symbol"}  # names
-    assert str(trace_json.message(data["verdict_message"])) == str(trace_html.VERDICTS[data["verdict"]][1])
+    assert str(Message.from_dict(data["verdict_message"])) == str(trace_html.VERDICTS[data["verdict"]][1])
     effect = data["effects"][0]
     assert effect["name_message"]["code"] == "effect-named" and effect["name_message"]["text"] == effect["name"]
-    assert trace_json.message(effect["check_message"]).text("de") != effect["check"] == effect["check_message"]["text"]
+    assert Message.from_dict(effect["check_message"]).text("de") != effect["check"] == effect["check_message"]["text"]
     conditions = data["guarantee"]["conditions_messages"]
     assert [m["text"] for m in conditions] == data["guarantee"]["conditions"]
     assert next(m for m in conditions if m["code"] == "guarantee-blocks")["count"] > 1
@@ -374,7 +374,7 @@ def test_the_report_states_the_guarantee_and_the_remarks_on_noise(traced, langua
                                                    .removeprefix("<!DOCTYPE html>\n")).itertext()).split())  # fmt: skip
     exchanges = Message("tr-guarantee-runs-all", count=6).text(language)
     assert remark.text(language) in page and exchanges in page and "1%" in page
-    assert all(trace_json.message(m).text(language) in page for m in data["guarantee"]["conditions_messages"])
+    assert all(Message.from_dict(m).text(language) in page for m in data["guarantee"]["conditions_messages"])
 
 
 def test_sentences_without_codes_are_shown_as_they_are(traced):
