@@ -124,7 +124,7 @@ def make_readings(machine, path, mapping=None, label: str | None = None):
 
 def finding_message(finding) -> Message:
     """What was noticed while reading, with its line where it has one."""
-    said = finding.message if isinstance(finding.message, Message) else Message("text", text=finding.message)
+    said = finding.message if isinstance(finding.message, Message) else Message("finding-text", text=finding.message)
     return Message("finding-in-line", line=finding.line, words=said) if finding.line else said
 
 
