@@ -76,7 +76,8 @@ def scan(count: int, flips: int, sample: int) -> dict:
     import numpy as np
 
     from sensworkbench.closedloop.problem import Problem, State
-    from sensworkbench.closedloop.scan import MIN_VISIBLE, exact_gain
+    from sensworkbench.closedloop.scan import exact_gain
+    from sensworkbench.closedloop.settings import DEFAULT
 
     machine, readings = measured(count)
     problem = Problem(machine, readings, permutations=flips)
@@ -106,7 +107,7 @@ def scan(count: int, flips: int, sample: int) -> dict:
     drawn, refit, worst = 0, 0.0, 0.0
     while drawn < sample:
         k, g = int(rng.integers(len(problem.bank))), int(rng.integers(len(problem.component_indices)))
-        if scores.visible[k, g] <= MIN_VISIBLE:
+        if scores.visible[k, g] <= DEFAULT.scan_visible:
             continue
         begin = time.perf_counter()
         vectors = problem.bank[k].vectors(readings.columns)

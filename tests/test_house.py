@@ -239,6 +239,31 @@ def long_functions(text: str, package: str):
                 yield node.lineno, f"{node.name}: {lines} lines, its docstring apart"
 
 
+def stray_thresholds(text: str, package: str):
+    """A fraction that something is compared with, and a named number that decides: a setting, with unit and reason.
+
+    What is 1e-6 or less is what rounding leaves.
+    """
+
+    def fractions(node):
+        if isinstance(node, ast.Constant) and isinstance(node.value, float):
+            return [node.value] if 1e-6 < abs(node.value) and node.value != 1.0 else []
+        parts = {ast.UnaryOp: ("operand",), ast.BinOp: ("left", "right")}.get(type(node), ())
+        return [v for part in parts for v in fractions(getattr(node, part))]
+
+    named = {
+        node.targets[0].id
+        for node in parsed(text).body
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name) and fractions(node.value)
+    }
+    for node in nodes(text):
+        if isinstance(node, ast.Compare):
+            for operand in (node.left, *node.comparators):
+                names = {n.id for n in ast.walk(operand) if isinstance(n, ast.Name)} & named
+                if fractions(operand) or names:
+                    yield node.lineno, ast.unparse(node)
+
+
 def without_licence(text: str, package: str):
     if text and text.split("\n", 1)[0] != "# SPDX-License-Identifier: LGPL-2.1-or-later":
         yield 1, "the first line is not the licence"
@@ -258,6 +283,7 @@ RULES = {  # rule: a text that breaks it
     postponed_annotations: "def f(x):\n    return x",
     long_functions: "def f():\n" + "    x = 1\n" * MAX_FUNCTION,
     without_licence: '"""A module."""\n',
+    stray_thresholds: "ok = size > 0.3 * floor",
 }
 MORE_BREACHES = [
     (upward_imports, "from sensworkbench.gui import colours"),
@@ -266,6 +292,8 @@ MORE_BREACHES = [
     (forbidden_imports, "import importlib\nimportlib.import_module('pivy.coin')"),
     (forbidden_imports, "from PySide import QtGui"),
     (unknown_imports, "import matplotlib.pyplot as plt"),
+    (stray_thresholds, "LIMIT = 5.0\ndef f(z):\n    return abs(z) < LIMIT"),
+    (stray_thresholds, "ok = score < -2.33"),
     (dangerous_calls, "import pickle"),
     (dangerous_calls, "np.load(f, allow_pickle=True)"),
     (version_comparisons, "ok = np.__version__ >= '2'"),
@@ -280,6 +308,7 @@ HARMLESS = [
     (version_comparisons, "text = FreeCAD.Version()\nok = hasattr(x, 'y')"),
     (dangerous_calls, "np.load(f, allow_pickle=False)"),
     (postponed_annotations, "x = 1"),
+    (stray_thresholds, "ok = size > settings.floor and values > 1e-9 * values[-1] and count < 3 and x != 0.0"),
 ]
 
 
@@ -306,9 +335,19 @@ def test_every_folder_of_the_package_has_its_place_among_the_layers():
     assert {layer_of(p) for p in MODULES} - {None, *LAYERS, "cli"} == set()
 
 
-@pytest.mark.parametrize("rule", [r for r in RULES if r not in (prints, without_licence)], ids=lambda r: r.__name__)
+@pytest.mark.parametrize(
+    "rule", [r for r in RULES if r not in (prints, without_licence, stray_thresholds)], ids=lambda r: r.__name__
+)
 def test_modules_keep_the_rule(rule):
     assert findings([rule], MODULES) == []
+
+
+def test_the_thresholds_of_a_trace_are_its_settings():
+    elsewhere = ("settings.py", "prior.py")  # where they are declared, each with its reason
+    paths = [p for p in MODULES if layer_of(p) == "closedloop" and p.name not in elsewhere]
+    assert len(paths) > 20
+    numerical = ("b.condition <= REFINED",)  # which of two equal solutions is computed
+    assert [f for f in findings([stray_thresholds], paths) if not f.endswith(numerical)] == []
 
 
 def test_only_the_command_line_prints():

@@ -94,7 +94,7 @@ def selection(state: State, others, best: ScoredTerm, pool) -> float:
     """
     s = state.settings
     full = state.fit_with([*others, best])
-    pool = [best] + [c for c in pool if c.key != best.key][:40]
+    pool = [best] + [c for c in pool if c.key != best.key][: s.pool]
     grams, base, mine = state.grams(full, others, pool)
     cost = np.array([c.handicap for c in pool])
     everything = grams.gains(base, mine, np.arange(grams.count))
@@ -128,7 +128,7 @@ def _waves_left(state: State, scanner) -> bool:
     """Are there more waves beside the model than noise makes?  Then it is roughness; else a weak line stands alone."""
     waves = np.flatnonzero([r.shape.wave for r in scanner.shapes])
     strongest = float(scanner.scores().tail[waves].max())
-    return evidence.p_value(strongest, scanner.null_maxima(state.signs)) < 0.05
+    return evidence.p_value(strongest, scanner.null_maxima(state.signs)) < state.settings.waves_left
 
 
 def review(state: State) -> State:
@@ -153,7 +153,7 @@ def _refusal(state: State, step: Step, others, full: Fit) -> Message | None:
     rows = state.rows_with(full, [*(o for o in others if not same_place(o, c)), c])
     used = int(np.count_nonzero(full.weight))
     table = p.readings.columns
-    reason = stand_in(c, others, table, p.names) or beyond(
+    reason = stand_in(c, others, table, p.names, s) or beyond(
         rows, c, table, p.names, used, settings=s, inflation=state.inflation(full, c)
     )
     size = um(p.amplitude(c))

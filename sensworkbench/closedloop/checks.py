@@ -6,6 +6,8 @@ More scatter than stated contradicts the stated uncertainty or the model, and wi
 
 from __future__ import annotations
 
+from statistics import NormalDist
+
 import numpy as np
 
 from ..core.units import mm, um
@@ -23,7 +25,7 @@ from .settings import TraceSettings
 NAMES = "xyz*"  # of the directions of sensing; *: along a reading's own vector
 
 
-def stated_ratios(fitted: Fit, readings: Readings) -> dict[str, tuple[float, int]]:
+def stated_ratios(fitted: Fit, readings: Readings, settings: TraceSettings) -> dict[str, tuple[float, int]]:
     """direction -> (chi-square per degree of freedom against the stated uncertainty, degrees of freedom).
 
     Each direction gets its share of the degrees of freedom by its rows.  Empty where no uncertainty is stated.
@@ -34,7 +36,7 @@ def stated_ratios(fitted: Fit, readings: Readings) -> dict[str, tuple[float, int
     for kind in np.unique(readings.kind[used]).tolist():
         rows = used & (readings.kind == kind)
         dof = share * np.count_nonzero(rows)
-        if dof >= 3:
+        if dof >= settings.least_direction:
             chi2 = float(((fitted.residual[rows] / readings.u[rows]) ** 2).sum())
             out[NAMES[kind]] = (chi2 / dof, int(dof))
     return out
@@ -43,35 +45,38 @@ def stated_ratios(fitted: Fit, readings: Readings) -> dict[str, tuple[float, int
 def contradicted(fitted: Fit, readings: Readings, settings: TraceSettings) -> dict[str, float]:
     """direction -> ratio of chi-square where the readings scatter more than stated beyond chance and beyond a tenth.
 
-    The limit is that of the normal score of chi-square at `settings.misfit`, shared by the directions.
+    The limit of chance is the normal score of chi-square at `settings.misfit`.
     """
-    found = stated_ratios(fitted, readings)
-    limit = 2.33 if settings.misfit >= 0.01 else 3.09
-    return {k: r for k, (r, dof) in found.items() if r > 1.21 and normal_score(r * dof, dof) > limit}
+    found, limit = stated_ratios(fitted, readings, settings), _misfit(settings)
+    return {k: r for k, (r, n) in found.items() if r > settings.misfit_ratio and normal_score(r * n, n) > limit}
+
+
+def _misfit(settings: TraceSettings) -> float:
+    return NormalDist().inv_cdf(1 - settings.misfit)
 
 
 def noise_summary(fitted: Fit, readings: Readings, residual_um, settings: TraceSettings) -> NoiseSummary:
     """Noise as stated, from repeats and as it shows, with a remark for everything that does not agree."""
     used = fitted.weight > 0
     stated = readings.u[used & np.isfinite(readings.u)]
-    pure = scores.replicates(readings, residual_um, used)
+    pure = scores.replicates(readings, residual_um, used, settings)
     memory = {NAMES[k]: v[0] for k, v in lags(fitted, readings, 1).items()}
     modelled = {}
     if fitted.memory is not None:
         for kind in np.unique(readings.kind).tolist():
             rows = (readings.kind == kind) & (fitted.memory.before >= 0)
             modelled[NAMES[kind]] = float(fitted.memory.phi[rows].max(initial=0.0))
-    ratios = stated_ratios(fitted, readings)
+    ratios = stated_ratios(fitted, readings, settings)
     remarks = []
     more = contradicted(fitted, readings, settings)
     for name, (ratio, dof) in ratios.items():
         if name in more:
             remarks.append(Message("noise-more-than-stated", direction=name, ratio=ratio, dof=dof))
-        elif ratio < 0.83 and normal_score(ratio * dof, dof) < -2.33:
+        elif ratio < 1 / settings.misfit_ratio and normal_score(ratio * dof, dof) < -_misfit(settings):
             remarks.append(Message("noise-less-than-stated", direction=name, ratio=ratio, dof=dof))
     remarks += [Message("noise-remembers", direction=k, correlation=v) for k, v in modelled.items() if v > 0]
     residual = float(np.sqrt(np.mean([v**2 for v in fitted.noise.values()])))
-    if pure is not None and residual > 1.3 * mm(pure):
+    if pure is not None and residual > settings.repeats_ratio * mm(pure):
         remarks.append(Message("noise-more-than-repeats", residual=um(residual), pure=pure))
     return NoiseSummary(
         stated=float(np.sqrt((stated**2).mean())) if len(stated) else None,

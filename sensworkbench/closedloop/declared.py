@@ -48,7 +48,7 @@ def aligned(machine: Machine, readings: Readings, settings: TraceSettings = DEFA
     if len(runs) < 2:
         return replace(readings, alignment="once")
     shifted, tilted = (replace(readings, alignment=a) for a in ("offset per run", "per run"))
-    wide = fit(design(machine, tilted), tilted)
+    wide = fit(design(machine, tilted), tilted, settings=settings)
     if wide.dof < settings.least_dof:
         return shifted
     weight = wide.weight > 0

@@ -157,7 +157,7 @@ def gain_statistics(without: np.ndarray, with_: np.ndarray) -> tuple[float, floa
     return float(gain.sum()), float(np.sqrt(len(gain)) * gain.std(ddof=1)) if len(gain) > 1 else float("inf")
 
 
-def no_worse(errors: np.ndarray, best: np.ndarray, within: float = 0.5) -> bool:
+def no_worse(errors: np.ndarray, best: np.ndarray, within: float) -> bool:
     """Are held-out squared errors (B,) within some standard errors of the best ones?"""
     loss, spread = gain_statistics(errors, best)
     return loss <= within * spread

@@ -18,8 +18,6 @@ from .problem import State
 from .scan import Scanner
 from .search import ScoredTerm
 
-EXACT = 120  # exchanges up to which all are made: those of five runs
-
 
 def constant_in_runs(readings) -> tuple[str, ...]:
     """The columns that vary between runs and never within one."""
@@ -37,10 +35,10 @@ def constant_in_runs(readings) -> tuple[str, ...]:
     return tuple(out)
 
 
-def exchanges(runs: int, count: int, seed: int) -> tuple[list[tuple[int, ...]], bool]:
+def exchanges(runs: int, count: int, seed: int, all_up_to: int) -> tuple[list[tuple[int, ...]], bool]:
     """(orders of the runs, that of the readings first; whether they are all there are)."""
     identity = tuple(range(runs))
-    if math.factorial(runs) <= EXACT:
+    if math.factorial(runs) <= all_up_to:
         rest = [p for p in itertools.permutations(identity) if p != identity]
         return [identity, *rest], True
     rng = np.random.default_rng(seed + 3)
@@ -60,7 +58,7 @@ def between_runs(state: State, others, best: ScoredTerm) -> tuple[float, int, bo
     labels = np.array([str(r) for r in readings.run])
     names, run = np.unique(labels, return_inverse=True)
     first = np.array([int(np.argmax(run == i)) for i in range(len(names))])
-    orders, exact = exchanges(len(names), problem.permutations, problem.seed)
+    orders, exact = exchanges(len(names), problem.permutations, problem.seed, state.settings.all_exchanges)
     family = [r for r in problem.bank if set(r.driver.columns) & set(fixed) and not r.shape.wave]
     if best.regressor not in family:
         family.append(best.regressor)

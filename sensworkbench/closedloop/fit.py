@@ -16,17 +16,13 @@ from ..messages import Message
 from .design import Design
 from .noise import Memory, correlation, memory_of
 from .readings import Readings
+from .settings import DEFAULT, TraceSettings
 
 __all__ = ["Basis", "Fit", "basis", "correlation", "fit", "null_space", "robust_scale"]
 
 RANK_TOLERANCE = 1e-6
 NOTHING = 1e-15  # length of a column over the longest: less is what rounding leaves of a zero
 REFINED = 300.0  # condition from which a solution is refined
-OUTLIER_LIMIT = 5.0  # studentised residuals beyond this are gross outliers
-LEAST_FREE = 0.05  # of a reading: what its leverage leaves, at least
-CROWD = 0.1  # share of the points: more than that are no gross outliers
-FEW_LEVELS = 4
-LEAST_CROWD = 5  # flagged points from which a column can crowd them
 MAD = 1.482602218505602
 
 
@@ -183,7 +179,7 @@ def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.
     return sigma, table
 
 
-def _crowded(outliers, readings: Readings) -> np.ndarray:
+def _crowded(outliers, readings: Readings, s: TraceSettings) -> np.ndarray:
     """(R,) bool: the flagged rows that are kept as signal, because they are too many or too close for outliers.
 
     All, where they are more than a tenth of the points.  Those that follow each other in time (three in a row), or that
@@ -192,25 +188,25 @@ def _crowded(outliers, readings: Readings) -> np.ndarray:
     """
     bad = np.bincount(readings.point, weights=outliers, minlength=readings.points) > 0
     count = int(bad.sum())
-    if bad.mean() > CROWD:
+    if bad.mean() > s.crowd:
         return outliers.copy()
-    kept = _streaks(bad)
-    if count >= LEAST_CROWD:
+    kept = _streaks(bad, s.streak)
+    if count >= s.crowd_least:
         for v in readings.columns.values():
-            if np.ptp(v) > 0 and len(np.unique(v)) > FEW_LEVELS:
+            if np.ptp(v) > 0 and len(np.unique(v)) > s.few_levels:
                 low, high = np.quantile(v[bad], [0.1, 0.9])
                 inside = (v >= low) & (v <= high)
-                if bad[inside].mean() > 1 / 3 and inside.mean() < 0.5:
+                if bad[inside].mean() > s.crowd_flagged and inside.mean() < s.crowd_stretch:
                     kept |= bad & inside
     return outliers & kept[readings.point]
 
 
-def _streaks(bad) -> np.ndarray:
+def _streaks(bad, least: int) -> np.ndarray:
     """(P,) bool: flagged points of three or more in a row; one that is not flagged does not end a longer row."""
     edges = np.flatnonzero(np.diff(np.r_[0, bad.astype(int), 0]))
     kept = np.zeros(len(bad), dtype=bool)
     for a, b in zip(edges[::2], edges[1::2]):
-        if b - a >= 3:
+        if b - a >= least:
             kept[a:b] = True
     if kept.any():  # what is flagged right beside a row belongs to it
         near = np.convolve(kept, np.ones(11), mode="same") > 0
@@ -218,7 +214,7 @@ def _streaks(bad) -> np.ndarray:
     return kept
 
 
-def _robust_start(matrix, y, weight, stated, readings: Readings):
+def _robust_start(matrix, y, weight, stated, readings: Readings, s: TraceSettings):
     """(sigma, good) after three steps of Tukey's biweight, whose scale is the median of each kind of sensing."""
     count = len(y)
     robust = np.ones(count)
@@ -231,12 +227,12 @@ def _robust_start(matrix, y, weight, stated, readings: Readings):
             rows = readings.kind == kind
             sigma[rows] = max(robust_scale(residual[rows] / known[rows]) * loss, 1e-9) * known[rows]
         z = residual / sigma
-        robust = np.where(np.abs(z) < 6.0, (1 - (z / 6.0) ** 2) ** 2, 0.0)
+        robust = np.where(np.abs(z) < s.biweight, (1 - (z / s.biweight) ** 2) ** 2, 0.0)
         weight = 1 / sigma
     return sigma, robust
 
 
-def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal):
+def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal, s: TraceSettings):
     """(sigma, noise, good): noise from the mean square of the rows that are kept, until these no longer change.
 
     signal : (R,) bool, rows that are kept whatever they are.
@@ -247,9 +243,9 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal):
         kept, previous = good.sum(), good
         sigma, noise = _noise(found.residual, readings, good, np.sqrt(kept / max(kept - found.rank, 1)), stated)
         z = np.abs(found.residual / sigma)
-        far = np.flatnonzero(z >= OUTLIER_LIMIT * np.sqrt(LEAST_FREE))  # the others are good whatever their leverage
-        z[far] /= np.sqrt(np.clip(1 - found.leverage(far) * good[far], LEAST_FREE, 1))
-        good = (z < OUTLIER_LIMIT) | signal
+        far = np.flatnonzero(z >= s.outlier * np.sqrt(s.least_free))  # the others are good whatever their leverage
+        z[far] /= np.sqrt(np.clip(1 - found.leverage(far) * good[far], s.least_free, 1))
+        good = (z < s.outlier) | signal
         robust = good.astype(float)
         weight = 1 / sigma
         if step > 0 and np.array_equal(good, previous):
@@ -257,7 +253,14 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal):
     return sigma, noise, good
 
 
-def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, start=None, memory=None) -> Fit:
+def fit(
+    design: Design,
+    readings: Readings,
+    effects: np.ndarray | None = None,
+    start=None,
+    memory=None,
+    settings: TraceSettings = DEFAULT,
+) -> Fit:
     """Robust weighted least squares of the declared design and `effects` (R, m) appended columns.
 
     start : an earlier Fit whose noise starts the iteration.  memory : kind -> correlation of successive residuals, or
@@ -271,16 +274,16 @@ def fit(design: Design, readings: Readings, effects: np.ndarray | None = None, s
     first = np.ones(count) if start is None else np.where(start.sigma > 0, 1 / start.sigma, 0.0)
     if start is None and stated is not None and np.isfinite(stated).all():
         first = 1 / np.maximum(stated, 1e-9)
-    sigma, robust = _robust_start(matrix, y, first, stated, readings)
+    sigma, robust = _robust_start(matrix, y, first, stated, readings, settings)
     signal = np.zeros(count, dtype=bool)
-    sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings, signal)
+    sigma, noise, good = _weigh(matrix, y, 1 / sigma, robust, stated, readings, signal, settings)
     for _ in range(4):
-        crowd = _crowded(~good, readings)
+        crowd = _crowded(~good, readings, settings)
         if not crowd.any():
             break
         signal |= crowd
         sigma, noise, good = _weigh(
-            matrix, y, 1 / sigma, np.maximum(good, signal).astype(float), stated, readings, signal
+            matrix, y, 1 / sigma, np.maximum(good, signal).astype(float), stated, readings, signal, settings
         )
     w = good / sigma
     whitening = None if not memory else memory_of(readings, memory, good)
@@ -336,19 +339,19 @@ def _null_space(b: Basis, n: int) -> np.ndarray:
     return null.T
 
 
-def null_space(fit: Fit, readings: Readings) -> list[Message]:
+def null_space(fit: Fit, readings: Readings, settings: TraceSettings = DEFAULT) -> list[Message]:
     """What the readings do not determine: one message per combination, with the advice that fits what was sensed."""
     terms = fit.design.terms
     found = []
     for vector in fit.null_space[: len(terms)].T:
-        strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > 0.02 * np.abs(vector).max()]
+        strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > settings.null_named * np.abs(vector).max()]
         names = list(dict.fromkeys(terms[i].title for i in strong))
         if names:
-            found.append(_undetermined(names, readings))
+            found.append(_undetermined(names, readings, settings))
     return sorted(dict.fromkeys(found), key=str)
 
 
-def _undetermined(names: list[str | Message], readings: Readings) -> Message:
+def _undetermined(names: list[str | Message], readings: Readings, settings: TraceSettings) -> Message:
     """One set of parameters that no reading separates.
 
     A second tool helps where whole vectors were read with one tool; where some directions of space were not sensed at
@@ -359,7 +362,7 @@ def _undetermined(names: list[str | Message], readings: Readings) -> Message:
     else:
         code, fields = "null-alike", {"names": names[:-1], "last": names[-1]}
     sensed = np.linalg.svd(readings.sense, compute_uv=False)
-    if (sensed > 1e-3 * sensed[0]).sum() < 3:
+    if (sensed > settings.unsensed * sensed[0]).sum() < 3:
         return Message(f"{code}-direction", **fields)
     tools = 0 if readings.tool_offset is None else len(np.unique(np.round(readings.tool_offset, 4), axis=0))
     return Message(f"{code}-tool" if tools < 2 else code, **fields)

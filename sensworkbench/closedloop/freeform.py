@@ -17,9 +17,6 @@ from ..core.shapes import Regressor, Shape
 from .bank import log_tail, useful_columns
 from .scan import Rows
 
-DEGREE = 4
-LINE_ORDER = 9  # a single column gets a finer form
-
 
 @dataclass(frozen=True)
 class FreeForm:
@@ -31,14 +28,13 @@ class FreeForm:
     domains: tuple[tuple[float, float, int], ...]
 
 
-def free_form(columns, names, degree: int | None = None, domains=None) -> FreeForm:
+def free_form(columns, names, degree: int, domains=None) -> FreeForm:
     """Legendre products of the named columns up to a total degree; columns of few levels get fewer orders.
 
     domains : (lowest, highest, levels) per column, from the readings it was made for (default: these); beyond them a
     free form is held at its edge, since it knows nothing there.
     """
     names = tuple(names)
-    degree = degree or (LINE_ORDER if len(names) == 1 else DEGREE)
     if domains is None:
         domains = tuple(
             (float(np.min(columns[n])), float(np.max(columns[n])), int(len(np.unique(columns[n])))) for n in names
@@ -95,7 +91,7 @@ def subspace_gain(rows: Rows, component: int, vectors) -> tuple[float, int]:
     x = x[:, good] / total[good]
     x = x - rows.ortho @ (rows.ortho.T @ x)
     values, vectors_ = np.linalg.eigh(x.T @ x)
-    keep = values > 1e-4
+    keep = values > rows.settings.free_kept
     if not keep.any():
         return 0.0, 0
     basis = vectors_[:, keep] / np.sqrt(values[keep])
@@ -151,7 +147,7 @@ class FreeScan:
         known: dict[tuple, int] = {}
         table, self.places = [], []
         for names_ in self.sets:
-            form = free_form(readings.columns, names_, DEGREE)
+            form = free_form(readings.columns, names_, rows.settings.free_more)
             keys = [tuple((n, o) for n, o in zip(names_, orders) if o) for orders in form.orders]
             for key, vector in zip(keys, form.vectors.T):
                 if key not in known:
@@ -167,7 +163,7 @@ class FreeScan:
                 size = np.sqrt(np.maximum(np.diag(inner), 1e-300))
                 beside = inner - shown[place] @ shown[place].T
                 values, vectors = np.linalg.eigh(beside / np.outer(size, size))
-                keep = values > 1e-3
+                keep = values > rows.settings.free_shown
                 if keep.any() and size.max() > 1e-9:
                     self.roots.append((vectors[:, keep] / np.sqrt(values[keep])) / size[:, None])
                     self.owner.append((k, c, int(keep.sum())))

@@ -25,7 +25,7 @@ def _fourier(v, harmonics: int) -> np.ndarray:
     return np.concatenate([np.sin(phase[:, None] * k), np.cos(phase[:, None] * k)], axis=1)
 
 
-def slow_columns(columns, names) -> list[str]:
+def slow_columns(columns, names, settings: TraceSettings = DEFAULT) -> list[str]:
     """Return the columns that vary smoothly along the order of the readings, so that time could replace them."""
     slow = []
     for name in names:
@@ -33,35 +33,38 @@ def slow_columns(columns, names) -> list[str]:
         if name in POSITIONS or name in DIRECTIONS or name == TIME:
             continue
         step = np.diff(v)
-        if len(v) > 20 and float(np.mean(step**2)) < 0.05 * float(np.var(v)):
+        if len(v) > settings.slow_least and float(np.mean(step**2)) < settings.slow * float(np.var(v)):
             slow.append(name)
     return slow
 
 
-def free_forms(candidate: ScoredTerm, columns, names) -> list[tuple[Message, np.ndarray]]:
+def free_forms(
+    candidate: ScoredTerm, columns, names, settings: TraceSettings = DEFAULT
+) -> list[tuple[Message, np.ndarray]]:
     """Free forms that must gain nothing beyond the candidate: (what it is a form of, vectors (P, m))."""
-    driver, out = candidate.driver, []
+    driver, out, s = candidate.driver, [], settings
     if candidate.shape.wave:
         v = driver.values(columns)
-        harmonics = int(min(24, len(np.unique(v)) // 3, len(v) // 25))
+        harmonics = int(min(s.harmonics, len(np.unique(v)) // s.levels_per_wave, len(v) // s.points_per_wave))
         if harmonics > 1:
             out.append((Message("form-waves", driver=str(driver)), _fourier(v, harmonics)))
         return out
-    slow = [p for p in driver.names if p in slow_columns(columns, names)]
+    slow = [p for p in driver.names if p in slow_columns(columns, names, s)]
     parts = candidate.regressor.columns
-    degree = {1: 9, 2: 6}.get(len(parts), 4)
+    degree = {1: s.free_line, 2: s.free_plane}.get(len(parts), s.free_more)
     out.append((Message("form-columns", columns=list(parts)), free_form(columns, parts, degree).vectors))
     if slow and TIME in names:
         others = tuple(p for p in parts if p not in (*slow, TIME))
         if not others:
-            out.append((Message("form-time"), free_form(columns, (TIME,), 12).vectors))
+            out.append((Message("form-time"), free_form(columns, (TIME,), s.free_time).vectors))
         else:
             # the other factors as they stand, times any smooth function of time
             scale = np.ones(len(columns[TIME]))
             for name in driver.columns:
                 if name in others:
                     scale = scale * columns[name]
-            smooth = np.concatenate([np.ones((len(scale), 1)), free_form(columns, (TIME,), 10).vectors], axis=1)
+            form = free_form(columns, (TIME,), s.free_time_factor).vectors
+            smooth = np.concatenate([np.ones((len(scale), 1)), form], axis=1)
             out.append((Message("form-columns-time", columns=list(others)), scale[:, None] * smooth))
     return out
 
@@ -79,7 +82,7 @@ def beyond(
 
     inflation : of the variance by memory of the noise that is not whitened.
     """
-    for what, vectors in free_forms(candidate, columns, names):
+    for what, vectors in free_forms(candidate, columns, names, settings):
         gain, dims = subspace_gain(rows, candidate.index, vectors)
         gain = gain / inflation
         size = np.sqrt(max(gain - dims, 0.0) / max(readings_used, 1))
@@ -88,14 +91,14 @@ def beyond(
     return None
 
 
-def stand_in(candidate: ScoredTerm, others, columns, names) -> Message | None:
+def stand_in(candidate: ScoredTerm, others, columns, names, settings: TraceSettings = DEFAULT) -> Message | None:
     """Return why an effect of temperatures and time may only replace a column that was not logged; None if it does not.
 
     A combination of slow curves can imitate any slow curve: two terms on one motion are not named, unless each is
     proportional, a warm-up or a step.  Nor is a polynomial of one temperature named (expansion is proportional), nor
     the temperature of another axis if that of the moving axis was not logged.
     """
-    slow = {n for n in slow_columns(columns, names) if n.startswith("temp_")} | {TIME}
+    slow = {n for n in slow_columns(columns, names, settings) if n.startswith("temp_")} | {TIME}
 
     def parts(c: ScoredTerm) -> tuple[set[str], set[str]]:
         factors = set(c.driver.columns)

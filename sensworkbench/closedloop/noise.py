@@ -14,8 +14,6 @@ import numpy as np
 
 from .readings import Readings
 
-LARGEST = 0.995  # of a modelled correlation
-
 
 @dataclass(frozen=True)
 class Memory:
@@ -146,7 +144,7 @@ def slow_drift(fitted, readings: Readings, settings) -> int | None:
     direction: noise of short memory has forgotten by then, and what has not is a drift that is there once.
     """
     points = readings.points
-    lag = max(5, round(settings.drift * points))
+    lag = max(settings.drift_least, round(settings.drift * points))
     for k, found in lags(fitted, readings, lag).items():
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
         if found[-1] > max(settings.remembers, settings.drift_score / np.sqrt(max(count - lag, 1))):
@@ -167,5 +165,5 @@ def correlation(fitted, readings: Readings, settings) -> dict[int, float]:
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
         certain = first * np.sqrt(max(count, 1)) > settings.memory_score
         whole = first * share + (1 + 3 * first) / max(count, 10)
-        out[k] = min(whole, LARGEST) if first > settings.memory_least and certain else 0.0
+        out[k] = min(whole, settings.memory_most) if first > settings.memory_least and certain else 0.0
     return out

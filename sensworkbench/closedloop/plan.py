@@ -35,7 +35,6 @@ from .settings import DEFAULT, TraceSettings
 
 LEADS = (4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0)  # mm, of the usual ball screws
 LONGER_MM = 100.0
-PLAIN = 1.0  # of handicap: the candidates that an effect's name means, before all others that match it
 
 
 @dataclass(frozen=True)
@@ -118,7 +117,9 @@ class Plan:
         self.basis: Basis = basis(self.design.matrix, weight)
         self.names = useful_columns(readings)
         start = np.flatnonzero(np.r_[True, np.diff(readings.point) > 0])
-        self.rows = Rows(self.design.lever / self.noise, np.zeros(readings.rows), start, self.basis.ortho)
+        self.rows = Rows(
+            self.design.lever / self.noise, np.zeros(readings.rows), start, self.basis.ortho, settings=self.settings
+        )
         self.groups = alike(self.design.lever)
         self.bank = bank(readings)
 
@@ -197,7 +198,7 @@ class Plan:
         return [
             Regressor(Driver((a,)), Periodic(period=p))
             for a in POSITIONS
-            if a in self.names and len(np.unique(self.readings.columns[a])) >= 8
+            if a in self.names and len(np.unique(self.readings.columns[a])) >= self.settings.plan_periods
             for p in LEADS
         ]
 
@@ -297,7 +298,7 @@ class Plan:
         out = []
         for axis in POSITIONS:
             v = self.readings.columns[axis]
-            if np.ptp(v) < 1e-6 or len(np.unique(np.round(v, 4))) < 3:
+            if np.ptp(v) < 1e-6 or len(np.unique(np.round(v, 4))) < self.settings.plan_levels:
                 continue
             symbol = f"E{axis.upper()}{axis.upper()}"
             place = next((i for i, g in enumerate(self.groups) if ALL_SYMBOLS.index(symbol) in g), None)
@@ -347,7 +348,7 @@ class Plan:
 
 def plain(found: list[PlannedTerm]) -> list[PlannedTerm]:
     """Return the candidates of an effect whose complexity is close to that of its simplest one, the simplest first."""
-    return [c for c in found if c.handicap <= found[0].handicap + PLAIN]
+    return [c for c in found if c.handicap <= found[0].handicap + DEFAULT.plan_simple]
 
 
 def alias_frequencies(v) -> np.ndarray:
@@ -379,7 +380,7 @@ def _alias(lead: float, strong, span: float) -> float | None:
         return None
     difference = np.abs(1 / lead - strong)
     slowest = float(difference.min())
-    if slowest < 0.25 / span:
+    if slowest < DEFAULT.plan_constant / span:
         return float("inf")
     return 1 / slowest
 

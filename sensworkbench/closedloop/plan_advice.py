@@ -18,11 +18,11 @@ from ..messages import Message
 from .design import tool_labels
 from .plan import LEADS, Plan, as_readings
 from .readings import Readings
+from .settings import DEFAULT
 
 SECONDS = 10.0  # from one reading to the next, where no time is planned
 SIDE_MM = 80.0  # the probe to the side
 LOAD_KG = 200.0  # on the table, where no load is planned
-WORTH = 0.8  # a number that falls to less than this share is worth the advice
 DRAWS = 8
 REPEATED, VISITS = 6, 4  # places visited again in a suggested plan, and how often each is visited
 CLEAR_MM = 0.01  # places of a file are written to this digit
@@ -51,7 +51,7 @@ def _worth(a: Advice) -> bool:
         return False
     if a.unit == "count_up":
         return a.after > (a.before or 0)
-    return a.before is None or a.after < WORTH * a.before
+    return a.before is None or a.after < DEFAULT.plan_worth * a.before
 
 
 def _gain(a: Advice) -> float:

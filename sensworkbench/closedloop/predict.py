@@ -15,6 +15,7 @@ from ..core.refusal import Refused
 from ..core.shapes import Regressor, legendre
 from ..core.synthesis import omega
 from .readings import Readings
+from .settings import DEFAULT
 
 
 def declared_values(machine: Machine, q) -> dict[str, np.ndarray]:
@@ -69,7 +70,7 @@ def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: 
     if alignment:
         for tool in machine.fitted.tools:
             if positions.tool_offset is not None:
-                mask = np.abs(positions.tool_offset - np.asarray(tool.offset)).max(axis=1) < 1e-3
+                mask = np.abs(positions.tool_offset - np.asarray(tool.offset)).max(axis=1) < DEFAULT.same_tool
                 out[mask] += np.asarray(tool.error)
     return out
 
@@ -191,5 +192,5 @@ def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:
     if fitted.tools or fitted.ranges:  # readings without tool columns were taken with the machine's own tool
         seen = np.array([t.offset for t in fitted.tools] or [(0.0, 0.0, 0.0)])
         tool = np.zeros((positions.points, 3)) if positions.tool_offset is None else positions.tool_offset
-        outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > 1e-3
+        outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > DEFAULT.same_tool
     return outside

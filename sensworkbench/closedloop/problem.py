@@ -27,8 +27,6 @@ from .scan import Rows, Scanner
 from .search import ScoredTerm
 from .settings import DEFAULT, TraceSettings
 
-CERTAIN_DRIFT = 0.9999  # correlation; more is a drift without end, of which any number of readings count as one
-
 
 def _key(candidates) -> tuple | None:
     """What tells the columns of candidates from others; None beside a free form, of which that is its numbers."""
@@ -264,7 +262,7 @@ class State:
         for k, phi in correlation(fitted, p.readings, self.settings).items():
             if modelled.get(k) != self.memory.get(k):
                 count = max(int(np.count_nonzero((p.readings.kind == k) & (fitted.weight > 0))), 1)
-                drifting[k] = duration(min(phi + 2 * np.sqrt((1 - phi**2) / count), CERTAIN_DRIFT)) - 1
+                drifting[k] = duration(min(phi + 2 * np.sqrt((1 - phi**2) / count), self.settings.endless)) - 1
         total = max(float(size.sum()), 1e-300)
         return 1 + sum(more * float(size[p.readings.kind == k].sum()) / total for k, more in drifting.items())
 
@@ -297,7 +295,7 @@ class State:
         key = None if own is None else ("fit", own, tuple(sorted(modelled.items())))
         return p.kept.get(
             key,
-            lambda: fit(p.design, p.readings, p.columns_of(candidates), memory=modelled),
+            lambda: fit(p.design, p.readings, p.columns_of(candidates), memory=modelled, settings=p.settings),
             lambda found: found.basis.ortho.nbytes + 4 * found.residual.nbytes,
         )
 
@@ -321,7 +319,7 @@ class State:
         def rows() -> Rows:
             y, ortho = fitted.white(p.readings.value), make()
             lever = p.design.lever * fitted.weight[:, None]
-            return Rows(lever, y - ortho @ (ortho.T @ y), p.start, ortho, fitted.memory, p.middle)
+            return Rows(lever, y - ortho @ (ortho.T @ y), p.start, ortho, fitted.memory, p.middle, p.settings)
 
         key = None if key is None else ("rows", fitted, key)
         return p.kept.get(key, rows, lambda found: found.lever.nbytes + found.ortho.nbytes)

@@ -61,8 +61,10 @@ def remainder(state: State, model) -> Remainder:
         return Remainder()
     chance, score = found[0].p, found[0].score
     shifts = [c for c in places if not component(ALL_SYMBOLS[c]).angular]
-    leading = list(dict.fromkeys([*shifts, *[f.component for f in found[:10]]]))[:6]
-    best = locate(rows, p.scan_readings, p.names, leading if chance < 0.05 or score > 4 else shifts)
+    leading = list(dict.fromkeys([*shifts, *[f.component for f in found[:10]]]))[: s.located_components]
+    best = locate(
+        rows, p.scan_readings, p.names, leading if chance < s.suspicion or score > s.suspicion_score else shifts
+    )
     if not best or best[0].evidence < s.detectable:
         return Remainder(chance, found[0].size(rows.used), None)
     top = best[0]
@@ -94,8 +96,10 @@ def rest(state: State) -> Rest:
         state, first = _relocated(state, model, first)
     smooth: list[ScoredTerm] = []
     found = first
-    for _ in range(3):
-        if not (structured and found.structure is not None and found.p < s.alpha and found.size > 0.5 * s.floor):
+    for _ in range(s.smooth_most):
+        if not (
+            structured and found.structure is not None and found.p < s.alpha and found.size > s.smooth_floor * s.floor
+        ):
             break
         best = _smooth(state, [*model, *smooth], found)
         if best is None:

@@ -47,8 +47,6 @@ from .search import ScoredTerm, surface_candidate
 from .signs import flipped_remark
 from .uncertainty import settled
 
-MOST_ADVICE = 6
-
 
 def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, flipped, tell) -> TraceResult:
     """The result of a trace whose final state and verdict are known.
@@ -78,7 +76,7 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
             len(declared.design.terms),
             int(declared.basis.rank),
             declared.basis.condition,
-            tuple(null_space(declared, problem.readings)),
+            tuple(null_space(declared, problem.readings, state.settings)),
         ),
         depends_on=final.depends_on,
         not_testable=lacking(problem.names),
@@ -257,7 +255,7 @@ class _Final:
         for step, around in zip(self.named, found_rivals):
             seen: set[str] = set()
             for rival, candidate in around:
-                if len(out) < MOST_ADVICE and rival.driver not in seen:
+                if len(out) < self.state.settings.advice and rival.driver not in seen:
                     seen.add(rival.driver)
                     out.append(separating_measurement(self.state, step.candidate, candidate, self.others(step)))
         structure = self.left.first.structure

@@ -87,7 +87,7 @@ def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
             why = Message("rival-as-much", loss=max(loss, 0.0))
         else:
             gain, error = evidence.gain_statistics(grams.held_out(base + place), reference)
-            if gain > 2 * error:
+            if gain > settings.rival_errors * error:
                 continue
             why = Message("rival-predicts", gain=gain, error=error)
         shown.append((c, trace))
@@ -167,7 +167,7 @@ def _seen(readings, vectors) -> np.ndarray:
 
 def separating_measurement(state: State, finding: ScoredTerm, rival: ScoredTerm, others) -> NextMeasurement:
     """The cheapest further measurement that would separate a finding from a rival, sensed as the readings were."""
-    problem = state.problem
+    problem, s = state.problem, state.settings
     a, b = state.fit_with([*others, finding]), state.fit_with([*others, rival])
     sigma = float(np.mean(list(a.noise.values())))
     best: tuple[Message | None, float] = (None, 0.0)
@@ -176,13 +176,13 @@ def separating_measurement(state: State, finding: ScoredTerm, rival: ScoredTerm,
         difference = difference - _prediction(state, b, [*others, rival], q, columns, tool)
         difference -= difference.mean(axis=0)  # a new set-up is aligned again
         size = float(_seen(problem.readings, difference).max())
-        if size > 1.5 * best[1]:
+        if size > s.next_better * best[1]:
             best = (do, size)
-        if size > 4 * sigma:
+        if size > s.next_clear * sigma:
             best = (do, size)
             break
     do, size = best
-    if do is None or size < 0.5 * sigma:
+    if do is None or size < s.next_least * sigma:
         bodies = sorted({component(finding.symbol).body, component(rival.symbol).body})
         do = Message("do-watch-bodies", bodies=bodies) if len(bodies) > 1 else Message("do-change-one")
         size = problem.amplitude(finding)
@@ -200,27 +200,27 @@ def aliases(state: State, finding: ScoredTerm, others) -> list[float]:
     """Return periods (mm) that the readings cannot distinguish from that of a periodic effect: they lose less than a
     rival does.
     """
-    period = finding.shape.period
+    period, s = finding.shape.period, state.settings
     rows = state.rows_with(state.fit_with([*others, finding]), others)
     columns = state.problem.readings.columns
     values = np.unique(np.round(finding.driver.values(columns), 4))
     span = float(np.ptp(values))
     gaps = np.diff(values)
     trial = [r.shape.period for r in state.problem.bank if r.key == finding.regressor.key]
-    if float(np.ptp(gaps)) < 0.02 * float(gaps.mean()):  # one regular grid: every fold is an alias
+    if float(np.ptp(gaps)) < s.regular * float(gaps.mean()):  # one regular grid: every fold is an alias
         step = float(gaps.mean())
         trial += [1 / abs(sign / period + n / step) for n in range(1, 6) for sign in (1, -1)]
-    frequency = np.array(sorted({1 / p for p in trial if p > 0.5}))
+    frequency = np.array(sorted({1 / p for p in trial if p > s.alias_shortest}))
     fine = [f + d / span for f in frequency for d in (-0.16, 0.0, 0.16)]
     found: list[tuple[float, float]] = []
     for f in fine:
         if f <= 0 or abs(f - 1 / period) < 1.0 / span:
             continue
         gain, _, _ = exact_gain(rows, finding.index, finding.regressor.having(period=1 / f).vectors(columns))
-        if finding.gain - gain < state.settings.rival:
+        if finding.gain - gain < s.rival:
             found.append((1 / f, gain))
     best: list[float] = []
     for p, _ in sorted(found, key=lambda item: -item[1]):
         if all(abs(1 / p - 1 / q) > 1.0 / span for q in best):
             best.append(float(p))
-    return best[:8]
+    return best[: s.aliases]

@@ -17,10 +17,10 @@ import numpy as np
 from ..core.shapes import Regressor
 from .bank import log_tail
 from .noise import Memory
+from .settings import DEFAULT, TraceSettings
 
 CHUNK = 512  # bank entries at a time
 MOST_KEPT = 60_000  # rows; beyond, one component is kept at a time
-MIN_VISIBLE = 0.02  # share of a candidate's square that the declared model cannot imitate
 
 
 @dataclass(frozen=True)
@@ -30,6 +30,7 @@ class Rows:
     lever (R, C), times weight.  residual (R,): whitened, orthogonal to the model.  start (P,): first row of each point.
     ortho (R, m): orthonormal basis of the whitened model.  memory : of the noise, or None where it is white; then
     whitened means weighted.  middle : position column -> middle of the travel, where that is not 0 (see `whole`).
+    settings : the thresholds of the trace.
     """
 
     lever: np.ndarray
@@ -38,6 +39,7 @@ class Rows:
     ortho: np.ndarray
     memory: Memory | None = None
     middle: Mapping[str, float] = field(default_factory=dict)
+    settings: TraceSettings = DEFAULT
     kept: dict = field(default_factory=dict, repr=False, compare=False)
     made: dict = field(default_factory=dict, repr=False, compare=False)
 
@@ -140,7 +142,9 @@ class Rows:
         ortho, r = np.linalg.qr(ortho)
         ortho = ortho[:, np.abs(np.diag(r)) > 1e-9]
         start = np.r_[0, np.cumsum(size[keep])[:-1]]
-        return Rows(self.lever[mask], residual - ortho @ (ortho.T @ residual), start, ortho, memory, self.middle)
+        return Rows(
+            self.lever[mask], residual - ortho @ (ortho.T @ residual), start, ortho, memory, self.middle, self.settings
+        )
 
     def per_point(self, component: int):
         """(model (P, m), squares (P,), residual (P,), pairs) of one component, summed over each point's rows; kept."""
@@ -270,7 +274,7 @@ class Scanner:
         if wholes is not None:
             self.visible = np.minimum(self.visible / wholes[:, None], 1.0)
         largest = total.max(initial=0.0)
-        self.valid = (self.visible > MIN_VISIBLE) & (total[one] > 1e-10 * largest)
+        self.valid = (self.visible > rows.settings.scan_visible) & (total[one] > 1e-10 * largest)
 
     def gains(self, h) -> np.ndarray:
         """(K, C) drop of chi-square for residuals gathered as h (P, C), already projected."""
@@ -280,7 +284,7 @@ class Scanner:
             p = self.pairs
             a, d, b = self.shown[p], self.shown[p + 1], self.cross
             det = a * d - b * b
-            ok = det > 1e-3 * a * d
+            ok = det > self.rows.settings.pair_differs * a * d
             n1, n2 = num[p], num[p + 1]
             both = (d * n1**2 - 2 * b * n1 * n2 + a * n2**2) / np.where(ok, det, 1.0)
             two = self.width == 2
@@ -312,7 +316,7 @@ class Scanner:
         pairs = self.pairs
         a, d, b = self.shown[pairs], self.shown[pairs + 1], self.cross
         det = a * d - b * b
-        ok = (det > 1e-3 * a * d) & self.valid[self.width == 2]
+        ok = (det > rows.settings.pair_differs * a * d) & self.valid[self.width == 2]
         scale = np.where(ok, 1.0 / np.where(ok, det, 1.0), 0.0)
         ca, cb, cd = (x.astype(np.float32) for x in (a * scale, 2 * b * scale, d * scale))
         out = np.empty(len(signs))

@@ -14,6 +14,7 @@ from . import evidence
 from .design import ALIGNMENT, Term, tool_labels
 from .fit import Fit
 from .readings import Readings
+from .settings import DEFAULT, TraceSettings
 
 SHIFTS = ("EXW", "EYW", "EZW")
 
@@ -133,7 +134,7 @@ def held_out_rows(grams_columns, fitted: Fit, row_block: np.ndarray, y: np.ndarr
     return out
 
 
-def replicates(readings: Readings, residual_um: np.ndarray, used) -> float | None:
+def replicates(readings: Readings, residual_um: np.ndarray, used, settings: TraceSettings = DEFAULT) -> float | None:
     """Pure error (um, one reading) from points whose place and conditions repeat exactly, else None."""
     names = [n for n in readings.columns if n != "t"]
     table = np.round(np.stack([readings.columns[n] for n in names], axis=1), 6)
@@ -142,7 +143,7 @@ def replicates(readings: Readings, residual_um: np.ndarray, used) -> float | Non
     rows = np.flatnonzero(used)
     _, key = np.unique(key[rows], return_inverse=True)
     count = np.bincount(key)
-    if (count > 1).sum() < 5:
+    if (count > 1).sum() < settings.least_repeats:
         return None
     value = residual_um[rows]
     mean = np.bincount(key, weights=value) / count

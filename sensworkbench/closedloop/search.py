@@ -20,7 +20,7 @@ from ..core.shapes import Regressor, Shape
 from .bank import beside
 from .design import ALL_SYMBOLS
 from .prior import handicap
-from .scan import MIN_VISIBLE, Rows, Scanner, exact_gain, whole
+from .scan import Rows, Scanner, exact_gain, whole
 from .surface import Surface
 
 
@@ -114,7 +114,7 @@ def _refined(rows: Rows, candidate: ScoredTerm, name: str, columns, steps: int) 
     def seen(value) -> float:
         """Gain, where enough of the shape shows beside the declared model: a fit of the rest is a fit of noise."""
         c = at(value)
-        return c.gain if c.visible > MIN_VISIBLE else 0.0
+        return c.gain if c.visible > rows.settings.scan_visible else 0.0
 
     candidate = at(start)  # its gain beside the model of these rows
     driven = regressor.driver.values(columns)
@@ -127,7 +127,7 @@ def _refined(rows: Rows, candidate: ScoredTerm, name: str, columns, steps: int) 
     session = float(np.ptp(columns[TIME])) if TIME in columns else None
     low, high = search.bounds(start, span, session)
     better = at(float(search.back(_golden(lambda s: seen(search.back(s)), low, high, steps))))
-    return better if better.gain > candidate.gain and better.visible > MIN_VISIBLE else candidate
+    return better if better.gain > candidate.gain and better.visible > rows.settings.scan_visible else candidate
 
 
 def _threshold(candidate: ScoredTerm, name: str, values, at: Callable[[float], ScoredTerm]) -> ScoredTerm:
@@ -166,30 +166,29 @@ def search(
     scanner: Scanner,
     names,
     groups,
-    keep: int = 60,
-    within: float = 60.0,
-    minimum: float = 12.0,
+    keep: int | None = None,
     inflation: float = 1.0,
 ) -> list[ScoredTerm]:
     """Return the best candidates first (by gain less handicap), one per motion, driver and shape, parameters refined.
 
     groups : components with the same effect on the readings, per place of the scanner; the simplest of them carries the
     candidate.  inflation : of the variance, where the noise itself is correlated from reading to reading; gains are
-    divided by it.
+    divided by it.  keep : how many are looked at (default: `found` of the settings).
     """
-    columns = readings.columns
+    columns, s = readings.columns, rows.settings
+    keep = keep or s.found
     scores = scanner.scores()
     flat = np.argsort(-scores.tail, axis=None)[: 40 * keep]
     found: dict[tuple, ScoredTerm] = {}
     for i in flat:
         k, g = np.unravel_index(i, scores.tail.shape)
-        if scores.gain[k, g] < minimum * inflation:
+        if scores.gain[k, g] < s.found_least * inflation:
             break
         regressor = scores.shapes[k]
         key = (int(g), *regressor.key)
         if key in found:
             continue
-        symbol = min((ALL_SYMBOLS[c] for c in groups[g]), key=lambda s, r=regressor: handicap(s, r))
+        symbol = min((ALL_SYMBOLS[c] for c in groups[g]), key=lambda name, r=regressor: handicap(name, r))
         found[key] = scored(rows, symbol, regressor, columns)
         if len(found) >= 3 * keep:
             break
@@ -201,16 +200,16 @@ def search(
 
     ranked = sorted(found.values(), key=lambda c: -score(c))
     best = score(ranked[0])
-    near = [c for c in ranked if score(c) > best - max(within, 0.3 * abs(best))][:keep]
-    near += tried_beside(rows, list(dict.fromkeys(c.symbol for c in near))[:12], columns, names)
+    near = [c for c in ranked if score(c) > best - max(s.found_range, s.found_share * abs(best))][:keep]
+    near += tried_beside(rows, list(dict.fromkeys(c.symbol for c in near))[: s.found_components], columns, names)
     out = []
     refined = 0
     for c in sorted(near, key=lambda c: -score(c)):
-        if c.shape.fitted and refined < 30:
+        if c.shape.fitted and refined < s.refined:
             c = refine(rows, c, columns, 16)
             refined += 1
         out.append(c)
-    return sorted((c for c in out if c.visible > MIN_VISIBLE), key=lambda c: -score(c))
+    return sorted((c for c in out if c.visible > s.scan_visible), key=lambda c: -score(c))
 
 
 def surface_candidate(s: Surface) -> ScoredTerm:

@@ -50,7 +50,7 @@ def flipped_directions(machine: Machine, readings: Readings, declared: Fit, sett
     gains = {}
     for kind in kinds:
         other = turned(readings, kind)
-        gains[kind] = likelihood(other, fit(design(machine, other), other)) - reference
+        gains[kind] = likelihood(other, fit(design(machine, other), other, settings=settings)) - reference
     best = max(gains, key=lambda k: gains[k])
     return [best] if gains[best] > max(settings.sign_gain, settings.sign_share * readings.rows) else []
 
@@ -83,7 +83,7 @@ def simpler_signs(state: State) -> list[int]:
         readings = turned(p.readings, kind)
 
         def with_(effects, readings=readings):
-            return likelihood(readings, fit(p.design, readings, p.columns_of(effects)))
+            return likelihood(readings, fit(p.design, readings, p.columns_of(effects), settings=p.settings))
 
         kept, value = list(found), with_(found)
         while kept and value > best:

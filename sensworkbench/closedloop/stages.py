@@ -117,29 +117,29 @@ def _by_left_out_blocks(state: State, others, found) -> list[ScoredTerm]:
     Where noise remembers, slow columns and time imitate each other and the noise; a fit to some hours that predicts the
     others does not.
     """
-    some = found[:40]
+    some = found[: state.settings.pool]
     if len(some) < 2:
         return found
     grams, base, mine = state.grams(state.fit_with(others), others, some)
     errors = [grams.held_out(base + m) for m in mine]
     totals = np.array([e.sum() for e in errors])
     best = int(np.argmin(totals))
-    near = [i for i in range(len(some)) if evidence.no_worse(errors[i], errors[best])]
+    near = [i for i in range(len(some)) if evidence.no_worse(errors[i], errors[best], state.settings.as_good)]
     near.sort(key=lambda i: (some[i].handicap, totals[i]))
     return [some[i] for i in [*near, *(i for i in np.argsort(totals) if i not in near)]]
 
 
-def settle(state: State, rounds: int = 3) -> State:
+def settle(state: State) -> State:
     """Look again at each effect with the others in the model; exchange it where another explains more."""
-    p = state.problem
-    for _ in range(rounds):
+    p, s = state.problem, state.settings
+    for _ in range(s.rounds):
         changed = False
         for i, step in enumerate(state.steps):
             others = [s.candidate for j, s in enumerate(state.steps) if j != i]
             rows = state.rows_with(state.fit_with(state.candidates), others)
             if state.remembers:  # chosen by blocks left out; only its parameters settle
                 better = refine(rows, step.candidate, p.readings.columns)
-                changed |= better.gain > step.candidate.gain + 1.0
+                changed |= better.gain > step.candidate.gain + s.settled
                 better = replace(step, candidate=better)
                 state = replace(state, steps=(*state.steps[:i], better, *state.steps[i + 1 :]))
                 continue
@@ -171,7 +171,7 @@ def polish(state: State) -> State:
     """Refit the parameters of the named effects together, without the other candidates, as the final model holds
     them.
     """
-    for _ in range(3):
+    for _ in range(state.settings.rounds):
         moved = False
         for i, step in enumerate(state.steps):
             if step.refused is not None:
@@ -179,7 +179,7 @@ def polish(state: State) -> State:
             others = [s.candidate for s in state.named if s is not step]
             rows = state.rows_with(state.fit_with([*others, step.candidate]), others)
             better = refine(rows, step.candidate, state.problem.readings.columns)
-            moved |= better.gain > step.candidate.gain + 0.5
+            moved |= better.gain > step.candidate.gain + state.settings.polished
             state = replace(state, steps=(*state.steps[:i], replace(step, candidate=better), *state.steps[i + 1 :]))
         if not moved:
             break
@@ -215,7 +215,7 @@ def rescue(state: State, tell: Tell) -> State:
     least = best[0] + s.certain if best[1] else now + (s.certain if len(state.steps) < 2 else s.rival)
     for first in leaders:
         beside = state.rows_with(full, [first])
-        found = search(beside, p.readings, state.scanner(beside), p.names, p.groups, keep=10)
+        found = search(beside, p.readings, state.scanner(beside), p.names, p.groups, keep=s.found_second)
         if found and first.score + found[0].score > least:
             least = first.score + found[0].score
             best = (least, [first, found[0]])
@@ -240,10 +240,10 @@ def consistent(state: State) -> State:
         stand_ins = []
         for s in refused:
             parts = s.candidate.driver.names[:2]
-            slow = slow_columns(p.readings.columns, parts)
+            slow = slow_columns(p.readings.columns, parts, state.settings)
             if slow and TIME in p.names:
                 parts = tuple(dict.fromkeys(TIME if n in slow else n for n in parts))
-            form = free_regressor(parts, p.readings.columns, 8)
+            form = free_regressor(parts, p.readings.columns, state.settings.free_refused)
             stand_ins.append(ScoredTerm(s.candidate.symbol, form, 0.0, np.zeros(0), 1.0, 0.0))
         before = state
         for s in before.named:

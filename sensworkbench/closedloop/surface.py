@@ -16,10 +16,6 @@ from ..core.driver import Driver
 from ..core.shapes import Regressor, Smooth, bump_features
 from .scan import Rows
 
-COARSE = 8
-RESOLUTIONS = (5, 8, 13, 20)
-MOST_BUMPS = 200
-FEW_LEVELS = 4
 PRIORS = 4.0 ** np.arange(-6, 10)  # ratio of prior to noise, in units of the mean information of a bump
 
 
@@ -65,9 +61,9 @@ def _evidence(values, scores):
     return float(nats[k]), float(a[k, 0])
 
 
-def _counts(columns, name, wanted: int) -> int:
+def _counts(rows: Rows, columns, name, wanted: int) -> int:
     levels = len(np.unique(columns[name]))
-    return levels if levels <= FEW_LEVELS else min(wanted, levels)
+    return levels if levels <= rows.settings.few_levels else min(wanted, levels)
 
 
 def _domain(columns, name):
@@ -77,7 +73,7 @@ def _domain(columns, name):
 
 def surface(rows: Rows, columns, component: int, names, wanted) -> Surface:
     """The surface of one component over the named columns at a resolution (bumps per column)."""
-    bumps = tuple(_counts(columns, n, w) for n, w in zip(names, wanted, strict=True))
+    bumps = tuple(_counts(rows, columns, n, w) for n, w in zip(names, wanted, strict=True))
     domains = tuple(_domain(columns, n) for n in names)
     features = bump_features(columns, names, bumps, domains)
     values, vectors, scores = _fit(rows, component, features)
@@ -89,13 +85,14 @@ def surface(rows: Rows, columns, component: int, names, wanted) -> Surface:
 
 def sharpen(rows: Rows, columns, found: Surface) -> Surface:
     """The same component and columns at the resolution that these rows, with their noise now known, support."""
-    grid = itertools.product((*RESOLUTIONS, 30), repeat=len(found.columns))
+    s = rows.settings
+    grid = itertools.product((*s.bumps, s.bumps_fine), repeat=len(found.columns))
     tried = [
         surface(rows, columns, found.component, found.columns, wanted)
         for wanted in grid
-        if np.prod(wanted) <= 1.5 * MOST_BUMPS
+        if np.prod(wanted) <= s.bumps_sharp
     ]
-    return max(tried, key=lambda s: s.evidence)
+    return max(tried, key=lambda t: t.evidence)
 
 
 def separable(rows: Rows, columns, found: Surface, rounds: int = 12) -> Surface | None:
@@ -107,8 +104,8 @@ def separable(rows: Rows, columns, found: Surface, rounds: int = 12) -> Surface 
         return None
     best: tuple[float, Surface] | None = None
     penalty = np.log(len(rows.residual))
-    for wanted in itertools.product((8, 15, 28), repeat=2):
-        bumps = tuple(_counts(columns, n, w) for n, w in zip(found.columns, wanted, strict=True))
+    for wanted in itertools.product(rows.settings.profile_bumps, repeat=2):
+        bumps = tuple(_counts(rows, columns, n, w) for n, w in zip(found.columns, wanted, strict=True))
         tables = [bump_features(columns, (n,), (b,), (d,)) for n, b, d in zip(found.columns, bumps, found.domains)]
         start = _start(rows, found, columns, tables)
         if start is None:
@@ -123,7 +120,7 @@ def separable(rows: Rows, columns, found: Surface, rounds: int = 12) -> Surface 
                 profiles[i] = vectors @ (prior * scores / (1 + prior * values))
                 freedom[i] = float((prior * values / (1 + prior * values)).sum())
                 gain = float((scores**2 * prior * (2 + prior * values) / (1 + prior * values) ** 2).sum())
-            if abs(gain - previous) < 1e-3 * max(gain, 1.0):
+            if abs(gain - previous) < rows.settings.profile_settled * max(gain, 1.0):
                 break
         mix = np.outer(*profiles).reshape(-1, 1)
         score = gain - penalty * sum(freedom)
@@ -154,14 +151,14 @@ def _start(rows: Rows, found: Surface, columns, tables):
     return out
 
 
-def locate(rows: Rows, readings, names, components, leaders: int = 4) -> list[Surface]:
+def locate(rows: Rows, readings, names, components) -> list[Surface]:
     """Surfaces by evidence, best first: all single columns and pairs at one resolution, the leaders at several."""
-    columns = readings.columns
+    columns, settings = readings.columns, rows.settings
     sets = [(a,) for a in names] + list(itertools.combinations(names, 2))
     coarse = []
     for group in sets:
-        wanted = (COARSE,) * len(group) if len(group) > 1 else (2 * COARSE,)
-        bumps = tuple(_counts(columns, n, w) for n, w in zip(group, wanted, strict=True))
+        wanted = (settings.bumps_coarse,) * len(group) if len(group) > 1 else (2 * settings.bumps_coarse,)
+        bumps = tuple(_counts(rows, columns, n, w) for n, w in zip(group, wanted, strict=True))
         features = bump_features(columns, group, bumps, tuple(_domain(columns, n) for n in group))
         for c in components:
             values, _, scores = _fit(rows, c, features)
@@ -169,12 +166,12 @@ def locate(rows: Rows, readings, names, components, leaders: int = 4) -> list[Su
     coarse.sort(key=lambda item: -item[0])
     best = coarse[0][0] if coarse else 0.0
     found = []
-    for nats, c, group in coarse[:leaders]:
-        if nats < 0.5 * best:
+    for nats, c, group in coarse[: settings.located]:
+        if nats < settings.located_share * best:
             continue
         if len(group) == 1:
-            grid = [(r,) for r in (*RESOLUTIONS, 30)]
+            grid = [(r,) for r in (*settings.bumps, settings.bumps_fine)]
         else:
-            grid = [g for g in itertools.product(RESOLUTIONS, repeat=2) if g[0] * g[1] <= MOST_BUMPS]
+            grid = [g for g in itertools.product(settings.bumps, repeat=2) if g[0] * g[1] <= settings.bumps_most]
         found.append(max((surface(rows, columns, c, group, w) for w in grid), key=lambda s: s.evidence))
     return sorted(found, key=lambda s: -s.evidence)

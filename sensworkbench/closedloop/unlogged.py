@@ -17,9 +17,6 @@ from .design import ALL_SYMBOLS
 from .scan import Rows
 from .settings import DEFAULT, TraceSettings
 
-HALVES = 100
-SHOWS = 0.05  # share of the strongest direction's variation: a lever that shows less in a direction says nothing there
-
 
 @dataclass(frozen=True)
 class Unlogged:
@@ -38,24 +35,24 @@ class Unlogged:
     place: str = ""
 
 
-def _p_value(observed: float, null: np.ndarray, margin: float) -> float:
+def _p_value(observed: float, null: np.ndarray, settings: TraceSettings) -> float:
     """Share of null maxima at least as large, but .05 at least where the largest of them comes near.
 
     A name that nobody can check against a column needs more than the one in a hundred that chance allows.
     """
     share = float((1 + np.count_nonzero(null >= observed)) / (len(null) + 1))
-    return share if observed > margin * float(null.max()) else max(share, 0.05)
+    return share if observed > settings.unlogged_margin * float(null.max()) else max(share, settings.unlogged_near)
 
 
-def _halves(parts, scale, best: int, seed: int) -> float:
+def _halves(parts, scale, best: int, settings: TraceSettings, seed: int) -> float:
     """Share of half-samples of points in which entry `best` is the largest; parts (P, C) sum to the statistic."""
     rng = np.random.default_rng(seed + 2)
     count = len(parts)
     hits = 0
-    for _ in range(HALVES):
+    for _ in range(settings.halves):
         half = parts[rng.permutation(count)[: count // 2]].sum(axis=0) / scale
         hits += bool(half[best] > 0 and half[best] >= (1 - 1e-9) * half.max())
-    return hits / HALVES
+    return hits / settings.halves
 
 
 def _pairs(rows: Rows) -> tuple[np.ndarray, np.ndarray]:
@@ -101,9 +98,9 @@ def unlogged_driver(rows: Rows, settings: TraceSettings = DEFAULT, count: int = 
     return Unlogged(
         symbol=ALL_SYMBOLS[best],
         rms=float(np.sqrt(max(variance, 0.0))),
-        p=_p_value(observed[best], null, settings.unlogged_margin),
+        p=_p_value(observed[best], null, settings),
         size=float(np.sqrt(max(variance, 0) * power)),
-        selection=_halves(_of_points(rows.point[first], product, len(rows.start)), scale, best, seed),
+        selection=_halves(_of_points(rows.point[first], product, len(rows.start)), scale, best, settings, seed),
     )
 
 
@@ -116,7 +113,7 @@ def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: 
     """
     used = rows.lever.any(axis=1)
     kinds = [np.flatnonzero(used & (kind == k)) for k in np.unique(kind)]
-    kinds = [k for k in kinds if len(k) > 30]
+    kinds = [k for k in kinds if len(k) > settings.unlogged_least]
     if len(kinds) < 2:
         return None
     point, chosen = rows.point, np.concatenate(kinds)
@@ -141,29 +138,29 @@ def uneven_noise(rows: Rows, q, kind, settings: TraceSettings = DEFAULT, count: 
     shuffled = [np.concatenate([rng.permutation(c) for c in centred]) for _ in range(count)]
     null = np.array([(x.T @ s).max() for s in shuffled])
     best = int(np.argmax(observed))
-    p = _p_value(observed[best], null, settings.unlogged_margin)
+    p = _p_value(observed[best], null, settings)
     edges = np.cumsum([0, *(len(k) for k in kinds)])
     slices = [slice(a, b) for a, b in zip(edges[:-1], edges[1:])]
-    if not good[best] or not _of_the_lever(x[:, best], y, shuffled, slices, q[point[chosen]]):
+    if not good[best] or not _of_the_lever(x[:, best], y, shuffled, slices, q[point[chosen]], settings):
         return None
     variance = max(float(observed[best] / norm[best]), 0.0)
     symbol, name, place = labels[best]
     power = float((rows.lever[chosen, ALL_SYMBOLS.index(symbol)] ** 2 * place[point[chosen]] ** 2).mean())
-    again = _halves(_of_points(point[chosen], x * y[:, None], len(q)), np.ones(x.shape[1]), best, seed)
+    again = _halves(_of_points(point[chosen], x * y[:, None], len(q)), np.ones(x.shape[1]), best, settings, seed)
     return Unlogged(symbol, float(np.sqrt(variance)), p, float(np.sqrt(variance * power)), again, name)
 
 
-def _of_the_lever(x, y, shuffled, slices, q) -> bool:
+def _of_the_lever(x, y, shuffled, slices, q, settings: TraceSettings) -> bool:
     """Return whether the spread y (rows,) follows the lever x (rows,) in two directions at least, with nothing
     remaining.
     """
     strength = np.array([float((x[s] ** 2).sum()) for s in slices])
     follows = 0
     for s, size in zip(slices, strength):
-        if size > SHOWS * strength.max():
+        if size > settings.unlogged_shows * strength.max():
             null = np.array([float(x[s] @ z[s]) for z in shuffled])
-            follows += bool(np.mean(null >= float(x[s] @ y[s])) < 0.02)
-            if follows == 0 and size > 0.3 * strength.max():
+            follows += bool(np.mean(null >= float(x[s] @ y[s])) < settings.unlogged_follows)
+            if follows == 0 and size > settings.unlogged_must * strength.max():
                 return False
     if follows < 2:
         return False
@@ -178,4 +175,4 @@ def _of_the_lever(x, y, shuffled, slices, q) -> bool:
     u = u[:, d > 1e-6 * d[0]] if len(d) and d[0] > 0 else u[:, :0]
     left = float(((u.T @ (y - x * (x @ y))) ** 2).sum())
     null = np.array([float(((u.T @ (z - x * (x @ z))) ** 2).sum()) for z in shuffled])
-    return float(np.mean(null >= left)) > 0.05
+    return float(np.mean(null >= left)) > settings.unlogged_other

@@ -134,9 +134,9 @@ def test_the_alignment_is_as_stated_or_as_the_runs_show():
 
 
 def test_exchanges_of_few_runs_are_all_made():
-    orders, exact = exchanges(4, 199, 0)
+    orders, exact = exchanges(4, 199, 0, DEFAULT.all_exchanges)
     assert exact and len(set(orders)) == 24 and orders[0] == (0, 1, 2, 3)
-    orders, exact = exchanges(9, 199, 0)
+    orders, exact = exchanges(9, 199, 0, DEFAULT.all_exchanges)
     assert not exact and len(orders) == 200 and orders[0] == tuple(range(9))
 
 

@@ -15,9 +15,9 @@ from sensworkbench.closedloop.design import ALL_SYMBOLS
 from sensworkbench.closedloop.freeform import normal_score
 from sensworkbench.closedloop.problem import Problem, State
 from sensworkbench.closedloop.remainder import remainder
-from sensworkbench.closedloop.scan import MIN_VISIBLE, Rows, Scanner, exact_gain
+from sensworkbench.closedloop.scan import Rows, Scanner, exact_gain
 from sensworkbench.closedloop.search import ScoredTerm, handicap
-from sensworkbench.closedloop.settings import TraceSettings
+from sensworkbench.closedloop.settings import DEFAULT, TraceSettings
 from sensworkbench.core.shapes import Regressor
 from tests.simulator import make_case
 
@@ -54,7 +54,7 @@ def drawn(scanned, count: int, width: int, seed: int):
     found = []
     while len(found) < count:
         k, c = int(rng.integers(len(tracer.problem.bank))), int(rng.integers(len(ALL_SYMBOLS)))
-        if tracer.problem.bank[k].size == width and scanner.visible[k, c] > MIN_VISIBLE:
+        if tracer.problem.bank[k].size == width and scanner.visible[k, c] > DEFAULT.scan_visible:
             found.append((k, c))
     return found
 
@@ -82,7 +82,7 @@ def test_the_gain_beside_other_effects_is_that_of_a_refit_with_them(scanned):
         column = tracer.problem.design.lever[:, [c]] * vectors[tracer.problem.readings.point] * fitted.weight[:, None]
         drop = least_squares(weighted, y)[1] - least_squares(np.hstack([weighted, column]), y)[1]
         gain, _, visible = exact_gain(rows, c, vectors)
-        if visible > MIN_VISIBLE:
+        if visible > DEFAULT.scan_visible:
             assert gain == pytest.approx(drop, rel=1e-6, abs=1e-6 * fitted.chi2)
 
 

@@ -126,7 +126,7 @@ def test_a_free_form_is_held_at_the_edge_of_what_it_was_made_for():
 
 
 def test_columns_of_few_levels_get_few_orders():
-    assert free_form({"d": np.array([-1.0, 1.0] * 20)}, ("d",)).vectors.shape[1] == 1
+    assert free_form({"d": np.array([-1.0, 1.0] * 20)}, ("d",), 9).vectors.shape[1] == 1
 
 
 def test_bumps_cover_their_domain_smoothly_and_are_held_beyond_it():
@@ -158,7 +158,8 @@ def test_the_gain_of_a_free_form_is_the_drop_of_chi_square_of_a_refit(odd):
     rows = tracer.rows(fitted)
     weighted, y = tracer.problem.design.matrix * fitted.weight[:, None], tracer.problem.readings.value * fitted.weight
     for symbol, names in (("EZY", ("t", "y")), ("EAX", ("temp_column",)), ("EBZ", ("dir_x", "temp_ambient"))):
-        vectors = free_form(tracer.problem.readings.columns, names).vectors
+        order = DEFAULT.free_line if len(names) == 1 else DEFAULT.free_more
+        vectors = free_form(tracer.problem.readings.columns, names, order).vectors
         c = ALL_SYMBOLS.index(symbol)
         gain, dims = subspace_gain(rows, c, vectors)
         columns = tracer.problem.design.lever[:, [c]] * vectors[tracer.problem.readings.point] * fitted.weight[:, None]
