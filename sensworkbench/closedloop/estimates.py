@@ -25,10 +25,10 @@ from .fit import Fit
 from .problem import State
 from .scan import exact_gain
 from .search import ScoredTerm
+from .settings import DEFAULT
 from .uncertainty import Spread, expected, settled, spread, triangle, with_effects
 
 ROUNDS = 3  # of steps of the derivatives: as wide as the uncertainty that they give
-LEAST_WEIGHT = 0.005  # of another name; below it, it changes no uncertainty
 MOST_OTHERS = 4  # names beside one effect that count
 BESIDE = 40  # levels to either side of a threshold that are weighed
 
@@ -231,7 +231,7 @@ class Estimates:
         ]
         total = 1 + sum(o for _, o in odds)
         ranked = sorted(((c, o / total) for c, o in odds), key=lambda item: -item[1])
-        return [(c, w) for c, w in ranked[:MOST_OTHERS] if w > LEAST_WEIGHT]
+        return [(c, w) for c, w in ranked[:MOST_OTHERS] if w > DEFAULT.other_weight]
 
     def exchanged(self, i: int, other: ScoredTerm) -> Fit:
         """The fit with another term in the place of a member of the model."""

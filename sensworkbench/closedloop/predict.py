@@ -177,7 +177,7 @@ def _part(machine: Machine, key, positions: Readings, alignment: bool, effects, 
     if positions.tool_offset is None or key[1] >= len(machine.fitted.tools):
         return []
     offset = np.asarray(machine.fitted.tools[key[1]].offset)
-    return [(key[2], (np.abs(positions.tool_offset - offset).max(axis=1) < 1e-3).astype(float))]
+    return [(key[2], (np.abs(positions.tool_offset - offset).max(axis=1) < DEFAULT.same_tool).astype(float))]
 
 
 def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:

@@ -16,14 +16,12 @@ import numpy as np
 from ..core.machine import Machine
 from .design import Design
 from .fit import Fit, basis
-from .noise import LARGEST
 from .readings import Readings
+from .settings import DEFAULT
 
 FREE_LENGTH, FREE_ANGLE = 1.0, 1e-3  # mm, rad: of a set-up that nothing is known of
 SMALLEST = 1e-9  # mm or rad: of an error whose tolerance is zero
-NEGLIGIBLE = 0.02  # correlation that changes no uncertainty by more than 2 %
 LAGS = 40
-FEW = 8  # rows of one direction, of which no correlation is taken
 EXACT = 3000  # rows up to which the share that a fit takes from a correlation is computed, not estimated
 DECAYS = (0.2, 0.4, 0.6, 0.7, 0.8, 0.87, 0.92, 0.95, 0.97, 0.985, 0.995)
 
@@ -186,12 +184,12 @@ def _memory(q, r, line: _Line, others) -> tuple[float, float]:
         next_one = pure - line.lagged(q, turned) - line.lagged(turned, q) + line.lagged(mixed, q)
         return next_one / max(square, 0.1 * size)
 
-    low, high = -0.6, LARGEST
+    low, high = DEFAULT.memory_negative, DEFAULT.memory_most
     for _ in range(9 if observed > expectation(low) else 0):
         middle = (low + high) / 2
         low, high = (middle, high) if expectation(middle) < observed else (low, middle)
-    found = (low + high) / 2 if high < LARGEST or low > -0.6 else low
-    slope = (expectation(min(found + 0.03, LARGEST)) - expectation(found - 0.03)) / 0.06
+    found = (low + high) / 2 if high < DEFAULT.memory_most or low > DEFAULT.memory_negative else low
+    slope = (expectation(min(found + 0.03, DEFAULT.memory_most)) - expectation(found - 0.03)) / 0.06
     return found, float(np.sqrt((1 - found**2) / size) / max(slope, 0.2))
 
 
@@ -199,9 +197,12 @@ def _averaged(line: _Line, q, decay: float, error: float) -> np.ndarray:
     """(m, m) Qᵀ V Q, averaged over a correlation that is known to a standard uncertainty."""
     aside = np.sqrt(2) * error
     out = q.T @ line.correlated(q, decay)
-    if aside < NEGLIGIBLE:
+    if aside < DEFAULT.memory_negligible:
         return out
-    ends = [q.T @ line.correlated(q, float(np.clip(decay + s * aside, -0.6, LARGEST))) for s in (-1, 1)]
+    ends = [
+        q.T @ line.correlated(q, float(np.clip(decay + s * aside, DEFAULT.memory_negative, DEFAULT.memory_most)))
+        for s in (-1, 1)
+    ]
     return out / 2 + (ends[0] + ends[1]) / 4
 
 
@@ -211,7 +212,7 @@ def _correlation(q, r, line: _Line, others) -> tuple[float, float, float]:
     A negative correlation counts only beyond 2.5 standard errors.
     """
     count = len(r)
-    if count < FEW:
+    if count < DEFAULT.memory_rows:
         return 0.0, 0.0, 0.0
     found = _correlations(r, line, int(min(LAGS, max(count // 5, 1))))
     left = max(count - float((q**2).sum()), 0.1 * count)
@@ -221,9 +222,9 @@ def _correlation(q, r, line: _Line, others) -> tuple[float, float, float]:
     first, error = found[0] * count / left + 1 / count, 1 / np.sqrt(count)
     if count <= EXACT:
         first, error = _memory(q, r, line, others)
-    if -2.5 * error < first < 0:
+    if -DEFAULT.negative_score * error < first < 0:
         return 0.0, 0.0, 0.0
-    return 1.0, float(np.clip(first, -0.6, LARGEST)), error
+    return 1.0, float(np.clip(first, DEFAULT.memory_negative, DEFAULT.memory_most)), error
 
 
 def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None = None):
@@ -245,12 +246,12 @@ def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None
             share, decay, error = _correlation(q, r, line, whole - inner)
         else:
             share, decay, error = known.share[kind], known.decay[kind], known.error[kind]
-        if abs(share * decay) > NEGLIGIBLE:
+        if abs(share * decay) > DEFAULT.memory_negligible:
             inner = (1 - share) * inner + share * _averaged(line, q, decay, error)
         else:
             share = decay = 0.0
         free = max(count - float(np.trace(inner)), 0.1 * count)
-        noise.variance[kind] = float(r @ r) / free if count >= FEW else 1.0
+        noise.variance[kind] = float(r @ r) / free if count >= DEFAULT.memory_rows else 1.0
         noise.share[kind], noise.decay[kind], noise.error[kind] = share, decay, error
         total += noise.variance[kind] * inner
     return noise, (total + total.T) / 2
