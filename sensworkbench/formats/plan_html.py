@@ -64,6 +64,7 @@ class _Report:
             self.summary(),
             self.advice(),
             self.comparison(),
+            self.errors(),
             self.effects(),
             self.missing(),
             self.pairs(),
@@ -156,6 +157,21 @@ class _Report:
         columns = ["", "#" + words("plan-column-given"), "#" + words("plan-column-suggested")]
         explained = html.paragraph(words("plan-more-words", file=SUGGESTED), soft=True)
         return html.section(words("plan-more"), explained, html.table(columns, rows))
+
+    def errors(self) -> Html:
+        words, rows = self.words, self.data["errors"]
+        if not rows:
+            return Html("")
+        changes = [c for c in ("tool", "run", "sensor") if f"u_another_{c}" in rows[0]]
+
+        def cell(row, key):
+            unit = "µrad" if row["unit"] == "urad" else "µm"
+            return words("plan-not-determined") if row[key] is None else f"{row[key]:.2g} {unit}"
+
+        cells = [(r["symbol"], cell(r, "u"), *(cell(r, f"u_another_{c}") for c in changes)) for r in rows]
+        heads = [words("column-error"), f"#{words('plan-error-u')}", *(f"#{words(f'plan-error-{c}')}" for c in changes)]
+        explained = html.paragraph(words("plan-errors-words"), soft=True)
+        return html.section(words("plan-errors"), explained, html.table(heads, cells))
 
     def effects(self) -> Html:
         words, rows = self.words, []

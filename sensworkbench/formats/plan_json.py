@@ -100,6 +100,7 @@ def to_dict(checked: PlanResult) -> dict:
             "no_reading_shows": planning.unseen(plan),
             "move_alike": planning.bodies_alike(plan),
         },
+        "errors": [_planned(checked.machine, e) for e in checked.errors],
         "threshold": {
             "family_wise_p": plan.settings.alpha,
             "power": plan.settings.power,
@@ -142,6 +143,17 @@ def to_dict(checked: PlanResult) -> dict:
             for a in checked.advice
         ],
         "findings": [remark(f.severity, f.code, f.message, f.line) for f in plan.readings.findings],
+    }
+
+
+def _planned(machine, error) -> dict:
+    c = machine.component(error.symbol)
+    shown = lambda u: None if u is None else float(f"{c.to_shown(u):.6g}")  # noqa: E731
+    return {
+        "symbol": error.symbol,
+        "unit": c.unit,
+        "u": shown(error.u),
+        **{f"u_another_{name}": shown(u) for name, u in error.more.items()},
     }
 
 

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from ..closedloop import plan_advice
 from ..closedloop.design import check_three_axes
 from ..closedloop.plan import Plan
+from ..closedloop.plan_uncertainty import PlannedError, planned_errors
 from ..closedloop.readings import Readings
 from ..core.machine import Machine
 from ..core.refusal import Refused
@@ -39,6 +41,11 @@ class PlanResult:
     def shown(self) -> Plan:
         """Return the plan that was evaluated: the given one, otherwise the suggested one."""
         return self.plan or self.suggested
+
+    @cached_property
+    def errors(self) -> list[PlannedError]:
+        """The uncertainty that each declared error will have, and what more readings would buy."""
+        return planned_errors(self.machine, self.shown.readings)
 
 
 def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest = PlanRequest()) -> PlanResult:
