@@ -3,7 +3,8 @@
 
 A finding takes the name of the first entry of `CATALOGUE` that matches it; one that matches none is described by body,
 motion and driver.  The sizes are those that machine builders report; they are stated for plausibility, not used to fit.
-A new effect is one entry; its words are `effect-<key>`, `-size` and `-check` of `messages/<language>/effects.json`.
+A new effect is one entry and one file, `messages/effects/<key>.json`: its words `effect-<key>`, `-size` and `-check` in
+all languages, and what is `meant` by it, examples (component, driver, shape, parameters) that must carry its name.
 """
 
 from __future__ import annotations

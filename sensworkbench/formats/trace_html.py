@@ -17,6 +17,7 @@ from sensworkbench.core.driver import Driver
 from sensworkbench.core.errors import COMPONENTS, component
 from sensworkbench.core.shapes import SHAPES
 from sensworkbench.messages import Message
+from sensworkbench.messages.tables import known
 from sensworkbench.studies.trace import component_values, point_vectors
 
 from . import charts, html, trace_json
@@ -28,21 +29,6 @@ STAGES = {
     "uncorrected": Message("tr-stage-uncorrected"),
     "declared": Message("tr-stage-declared"),
     "augmented": Message("tr-stage-augmented"),
-}
-PARAMETERS = {  # key of an effect's parameter in trace.json -> what it is
-    "coefficient": Message("tr-parameter-coefficient"),
-    "rms": Message("tr-parameter-rms"),
-    "extent": Message("tr-parameter-extent"),
-    "tau": Message("tr-parameter-tau"),
-    "state0": Message("tr-parameter-state0"),
-    "width": Message("tr-parameter-width"),
-    "at": Message("tr-parameter-at"),
-    "exponent": Message("tr-parameter-exponent"),
-    "period": Message("tr-parameter-period"),
-    "degree": Message("tr-parameter-degree"),
-    "domain": Message("tr-parameter-domain"),
-    "bumps": Message("tr-parameter-bumps"),
-    "domains": Message("tr-parameter-domains"),
 }
 UNLOGGED = "unlogged"  # the driver of a motion that nobody logged
 _UNITS = (("urad", "µrad"), ("um", "µm"), ("_", " "))
@@ -69,8 +55,14 @@ def driver_words(driver: str) -> str:
 def shape_words(name: str, words: Words) -> str:
     """What a shape is called."""
     if name in SHAPES:
-        return words.of(SHAPES[name].title or Message("shape-other", name=name))
+        return words.of(SHAPES[name].title())
     return words("tr-shape-random") if name == "random" else name
+
+
+def parameter_title(key: str) -> Message | None:
+    """What a parameter of an effect in trace.json is: `tr-parameter-<key>`; None where that has no words."""
+    code = f"tr-parameter-{key}"
+    return Message(code) if known(code) else None
 
 
 def parameter_words(entry, words: Words | None = None) -> str:
@@ -152,7 +144,8 @@ class _Report:
 
     def parameter(self, key: str) -> str:
         """The name of an effect's parameter."""
-        return self.words.of(PARAMETERS[key]) if key in PARAMETERS else key.capitalize()
+        title = parameter_title(key)
+        return key.capitalize() if title is None else self.words.of(title)
 
     def p(self, p: float) -> str:
         """A p-value, or that it is below what so few permutations can show."""

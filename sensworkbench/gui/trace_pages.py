@@ -135,7 +135,8 @@ def short_stages() -> list[tuple[str, str]]:
 
 def parameter_name(key: str) -> str:
     """What a parameter of an effect is, in words."""
-    return words(trace_html.PARAMETERS[key]) if key in trace_html.PARAMETERS else key
+    title = trace_html.parameter_title(key)
+    return key if title is None else words(title)
 
 
 def result_page(report, machine=None):

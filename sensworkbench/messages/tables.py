@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sentences: `<language>/<domain>.json`, each a table of code -> template.
+"""The sentences: `<language>/<domain>.json`, each a table of code -> template; the words of one named effect or one
+shape are one file for all languages, `effects/<key>.json`, `shapes/<name>.json`: language -> code -> template.
 
 A template is a text with `{field}` places; a refusal's is a pair [what was found, what to do about it], of which the
 second may be empty.  A code stands in one domain only.  English is complete; a code that another language lacks is
@@ -15,18 +16,21 @@ from pathlib import Path
 
 LONGEST = 120  # characters of a text that a sentence repeats
 LANGUAGES = ("en", "de", "ko")
+NOUNS = ("effects", "shapes")  # folders with one file for each, all languages in it
 _FOLDER = Path(__file__).parent
 
 
 @cache
 def table(language: str) -> dict[str, str | tuple[str, str]]:
-    """code -> template of every domain in `language`; raises ValueError where a code stands in two domains."""
+    """code -> template of every file in `language`; raises ValueError where a code is in two files."""
     found: dict[str, str | tuple[str, str]] = {}
-    for path in sorted((_FOLDER / language).glob("*.json")):
-        for code, value in json.loads(path.read_text(encoding="utf-8")).items():
-            if code in found:
-                raise ValueError(f"message {code!r} stands in two domains of {language!r}; the second is {path.name}")
-            found[code] = value if isinstance(value, str) else tuple(value)
+    for folder in (language, *NOUNS):
+        for path in sorted((_FOLDER / folder).glob("*.json")):
+            table = json.loads(path.read_text(encoding="utf-8"))
+            for code, value in (table if folder == language else table.get(language, {})).items():
+                if code in found:
+                    raise ValueError(f"message {code!r} is in two files of {language!r}; the second is {path.name}")
+                found[code] = value if isinstance(value, str) else tuple(value)
     return found
 
 

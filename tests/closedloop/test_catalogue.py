@@ -3,50 +3,18 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import pytest
 
 from sensworkbench.closedloop.catalogue import CATALOGUE, NEEDED, describe, not_testable, physical
 from sensworkbench.core.driver import Driver
 from sensworkbench.core.shapes import Smooth, shape_class
-from sensworkbench.messages import LANGUAGES
+from sensworkbench.messages import LANGUAGES, tables
 
-# entry -> (component, driver, shape with its parameters) that must carry its name
-MEANT = {
-    "reversal": [("EXX", "dir_x", "reversal", {}), ("C0Y", "dir_y", "reversal", {})],
-    "angular-reversal": [("EBX", "dir_x", "reversal", {})],
-    "windup": [("EXX", "dir_x*x", "linear", {}), ("EBX", "dir_x*x*y", "linear", {})],
-    "following": [("EXX", "dir_x*feed", "linear", {})],
-    "feed": [("EXX", "feed", "linear", {}), ("EXX", "feed*feed", "linear", {})],
-    "hysteresis": [("EYY", "y", "hysteresis", {"width": 1.0})],
-    "thermal-scale": [("EXX", "temp_scale_x*x", "linear", {}), ("EYX", "temp_a*y", "linear", {})],
-    "thermal-bend": [
-        ("EAZ", "temp_column", "linear", {}),
-        ("EXX", "temp_a*y", "linear", {}),
-        ("EXX", "temp_a*x*x", "linear", {}),
-        ("EBY", "temp_column", "lag", {"tau": 300.0}),
-    ],
-    "thermal-shift": [("EZT", "temp_a", "linear", {}), ("EZT", "temp_a", "power", {"exponent": 2.0})],
-    "spindle-growth": [
-        ("EZT", "t", "approach", {"tau": 900.0}),
-        ("EZT", "spindle", "lag", {"tau": 900.0}),
-        ("EZZ", "spindle*spindle", "lag", {"tau": 900.0}),
-    ],
-    "drift": [
-        ("EXW", "t", "approach", {"tau": 900.0}),
-        ("EXT", "t", "linear", {}),
-        ("EZT", "t", "polynomial", {"degree": 2, "domain": (0.0, 9.0)}),
-    ],
-    "slip": [("EZW", "t", "step", {"at": 9.0})],
-    "cyclic": [("EXX", "x", "periodic", {"period": 10.0}), ("ECY", "y", "periodic", {"period": 10.0})],
-    "mass": [("EAY", "load_table", "linear", {}), ("EAY", "load_table*y", "linear", {})],
-    "overhang": [("EAY", "x*z", "linear", {})],
-    "cross": [
-        ("EAY", "x", "linear", {}),
-        ("EAY", "x*x", "linear", {}),
-        ("EAY", "x", "polynomial", {"degree": 2, "domain": (0.0, 9.0)}),
-    ],
-    "spindle": [("EXT", "spindle", "linear", {}), ("EXT", "spindle", "lag", {"tau": 9.0})],
-}
+FILES = Path(tables.__file__).parent / "effects"
+MEANT = {p.stem: json.loads(p.read_text(encoding="utf-8"))["meant"] for p in FILES.glob("*.json")}
 NAMELESS = [
     ("EXX", "t*x", "linear", {}),
     ("EXX", "t", "power", {"exponent": 2.0}),
@@ -63,6 +31,7 @@ def found(symbol, driver, shape, parameters):
 
 @pytest.mark.parametrize("key", CATALOGUE)
 def test_an_entry_names_what_it_is_meant_for(key):
+    assert MEANT[key]
     for example in MEANT[key]:
         assert found(*example) is CATALOGUE[key], example
 

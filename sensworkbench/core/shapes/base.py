@@ -3,7 +3,8 @@
 
 A shape with its parameters gives the columns (P, m) that the m coefficients of an effect multiply.  Everything that the
 program needs to know of a shape is an attribute or a method of its class: no other module asks for a shape by its name.
-A new shape is one class under `@register`.  Rows are in time order wherever a shape has memory.
+A new shape is one class under `@register`, and its words in `messages/shapes/<name>.json`.  Rows are in time order
+wherever a shape has memory.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import ClassVar
 import numpy as np
 
 from ...messages import Message
+from ...messages.tables import known
 from ..driver import DIRECTIONS, POSITIONS, TIME, Driver
 from ..parameters import Parameter
 from ..refusal import Refused
@@ -101,7 +103,6 @@ class Shape:
     """
 
     name: ClassVar[str] = ""
-    title: ClassVar[Message | None] = None
     parameters: ClassVar[dict[str, Parameter]] = {}
     prior: ClassVar[float] = 0.0
     needs_time: ClassVar[bool] = False
@@ -153,6 +154,12 @@ class Shape:
         """Number of coefficients m."""
         return 1
 
+    @classmethod
+    def title(cls) -> Message:
+        """The shape's name for a reader: `shape-<name>` of `messages/shapes/<name>.json`, else the name itself."""
+        code = f"shape-{cls.name}"
+        return Message(code) if known(code) else Message("shape-other", name=cls.name)
+
     @property
     def fitted(self) -> tuple[str, ...]:
         """The parameters that are found by a search."""
@@ -166,7 +173,7 @@ class Shape:
     @property
     def words(self) -> Message:
         """The shape's name for a reader."""
-        return self.title or Message("shape-other", name=self.name)
+        return self.title()
 
     @property
     def saturation(self) -> float | None:

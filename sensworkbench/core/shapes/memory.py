@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from ...messages import Message
 from ..driver import TIME, Driver
 from ..parameters import TIME_UNIT, Logarithmic, Parameter
 from .base import Shape, register
@@ -14,7 +13,7 @@ from .functions import geometric, hysteresis, lag
 class Lag(Shape):
     """y of y' = (v - y)/tau, y = state0 at the first row"""
 
-    name, title = "lag", Message("shape-lag")
+    name = "lag"
     needs_time = memory = settles = True
     tau = Parameter(TIME_UNIT, above=0.0, search=Logarithmic(1.7, longest=1.5))  # longer is a trend of time
     state0 = Parameter(default=0.0, absolute=True)
@@ -44,7 +43,7 @@ class Lag(Shape):
 class Hysteresis(Shape):
     """v less the play of half-width `width` on v (see `hysteresis`)"""
 
-    name, title = "hysteresis", Message("shape-hysteresis")
+    name = "hysteresis"
     prior = 2.0
     memory = play = True
     # steps of a grid of places make several maxima: all are looked at first

@@ -7,7 +7,6 @@ import itertools
 
 import numpy as np
 
-from ...messages import Message
 from ..driver import DIRECTIONS, POSITIONS, TIME, Driver
 from ..parameters import NUMBER, Evenly, Interval, Levels, Logarithmic, Parameter, Reciprocal
 from .base import Shape, register
@@ -20,7 +19,7 @@ MAX_DEGREE = 30
 class Linear(Shape):
     """v"""
 
-    name, title = "linear", Message("shape-linear")
+    name = "linear"
     proportional = tabulable = True
 
     def basis(self, v, t):
@@ -62,7 +61,7 @@ class Linear(Shape):
 class Reversal(Linear):
     """v of a direction column: -1, 0 or +1"""
 
-    name, title = "reversal", Message("shape-reversal")
+    name = "reversal"
     tabulable = False
 
     @property
@@ -82,7 +81,7 @@ class Reversal(Linear):
 class Approach(Shape):
     """1 - exp(-v/tau)"""
 
-    name, title = "approach", Message("shape-approach")
+    name = "approach"
     prior = -6.0  # every machine warms up
     warm_up = settles = True
     tau = Parameter(above=0.0, search=Logarithmic(1.7))
@@ -102,7 +101,7 @@ class Approach(Shape):
 class Step(Shape):
     """1 where v > at, else 0"""
 
-    name, title = "step", Message("shape-step")
+    name = "step"
     compared = False
     sudden = True
     at = Parameter(search=Levels(), absolute=True)
@@ -123,7 +122,7 @@ class Step(Shape):
 class Power(Shape):
     """sign(v) |v|^exponent"""
 
-    name, title = "power", Message("shape-power")
+    name = "power"
     compared = False
     prior = 2.0
     tabulable = True
@@ -149,7 +148,7 @@ class Power(Shape):
 class Periodic(Shape):
     """sin(2 pi v/period), cos(2 pi v/period)"""
 
-    name, title = "periodic", Message("shape-periodic")
+    name = "periodic"
     compared = False
     wave = tabulable = True
     period = Parameter(above=0.0, search=Reciprocal(0.35))
@@ -179,7 +178,7 @@ class Periodic(Shape):
 class Polynomial(Shape):
     """Legendre P1 .. Pn of v mapped from `domain` to [-1, 1], n = degree"""
 
-    name, title = "polynomial", Message("shape-polynomial")
+    name = "polynomial"
     series = tabulable = True
     scanned = False  # too many to stand in the bank
     degree = Parameter(NUMBER, least=1, most=MAX_DEGREE, whole=True)

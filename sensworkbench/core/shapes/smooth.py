@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...messages import Message
 from ..parameters import Intervals, Wholes
 from ..refusal import Refused
 from .base import Shape, register
@@ -21,7 +20,7 @@ class Smooth(Shape):
     mix : (product of bumps, m) combinations that readings determine, while it is fitted; None: all bumps.
     """
 
-    name, title = "smooth", Message("shape-smooth")
+    name = "smooth"
     free = tabulable = True
     scanned = False
     bumps = Wholes(least=1, most=200)
