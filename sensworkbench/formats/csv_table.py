@@ -51,6 +51,12 @@ class Cells(Sequence):
         for block in self._blocks[column]:
             yield block.split("\n")
 
+    def only(self, columns) -> Cells:
+        """The cells of some columns."""
+        found = Cells(0)
+        found._blocks = tuple(self._blocks[j] for j in columns)
+        return found
+
     def holds(self, column: int, mark: str) -> bool:
         """Whether a character stands anywhere in a column."""
         return any(mark in block for block in self._blocks[column])

@@ -25,7 +25,15 @@ from .predicted_csv import save_predicted
 from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
 from .readings_order import approach_directions, backwards, time_order
 
-__all__ = ["load", "load_positions", "load_mapping", "check_mapping", "save_predicted", "approach_directions"]
+__all__ = [
+    "load",
+    "load_positions",
+    "positions_of",
+    "load_mapping",
+    "check_mapping",
+    "save_predicted",
+    "approach_directions",
+]
 
 THREE_AXES = tuple(linear(k, u, (0, 0, 0), (0, 1)) for k, u in zip("XYZ", ((1, 0, 0), (0, 1, 0), (0, 0, 1))))
 HUGE_MM = 10.0  # an error beyond this is more likely a position or a wrong unit
@@ -45,6 +53,11 @@ def load(path, mapping=None, joints=THREE_AXES) -> Readings:
 def load_positions(path, mapping=None, joints=THREE_AXES) -> Readings:
     """Places and conditions without readings (R = 0 rows); every row of the file is kept.  joints : as in `load`."""
     return _Reader(csv_table.read(path), mapping, tuple(joints)).positions()
+
+
+def positions_of(table: Table, mapping=None, joints=THREE_AXES) -> Readings:
+    """As `load_positions`, of a table that was read already."""
+    return _Reader(table, mapping, tuple(joints)).positions()
 
 
 @dataclass

@@ -74,7 +74,45 @@ _FCM = {
     "version": 1,
 }  # fmt: skip
 _SUM = 64 * "0"
+PROGRAM = """%
+O1000 (a part)
+N10 G21 G17 G90 G40 G80
+N20 T1 M6
+N30 G0 G54 G43 H1 X0 Y0 Z20 S3000 M3
+N40 G1 Z-1. F200
+N50 G41 D1 G1 X20 Y0 F300 (feature: edge)
+N60 X40
+N70 G3 X40 Y20 I0 J10
+N80 G40 G1 X0 Y40
+N90 G18 G2 X10 Z-11 I0 K-10
+N95 G17 G3 X10 Y40 Z-15 I-8 J0 F100
+N100 G0 Z20
+N110 G98 G83 X5 Y5 Z-8 R2 Q1 F50
+N120 G91 X10 L3
+N130 G80 G90 G20 G0 X0 Z1
+N140 G55
+M30
+"""
+
 SEEDS: dict[str, list[str]] = {
+    "program": [PROGRAM, "G0 X0 Y0 Z0\nG19 G2 Y10 Z10 R10 F9\nG1 X1e Y2\n".replace("e", "")],
+    "features": [
+        json.dumps(
+            {
+                "format": "sens-features",
+                "version": 1,
+                "work_offsets": {"G54": [0, 0, 0]},
+                "tools": {"1": {"length_mm": 5, "radius_mm": 3, "end": "ball"}},
+                "features": [
+                    {"name": "a", "kind": "roundness", "lines": [3, 9], "limit_um": 5},
+                    {"name": "b", "of": "a", "blocks": [[10, 20], [40, 50]], "datum": "a"},
+                ],
+            },
+            indent=1,
+        )
+    ],
+    "path points": ["x_mm,y_mm,z_mm,feature,kind,limit_um,nx,ny,nz\n" + 6 * "1,2,-3,a,flatness,5,0,0,1\n"],
+    "conditions": ["t_s,temp_column_C\n0,20\n60,21.5\n", "block;temp_a_C;load_b_kg\n1;20,5;3\n9;21;4\n"],
     "machine": [
         _machine(),
         _machine(fitted=FITTED),

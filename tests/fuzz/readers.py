@@ -14,7 +14,17 @@ from sensworkbench.closedloop.predict import predict
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core import workspace
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import files, machine_json, manifest, readings_csv, tolerances
+from sensworkbench.core.toolpath import counts, sample
+from sensworkbench.formats import (
+    features_json,
+    files,
+    gcode,
+    machine_json,
+    manifest,
+    path_csv,
+    readings_csv,
+    tolerances,
+)
 from sensworkbench.formats.exchange.known import etalon, fcm, isg
 
 LONGEST = 300  # characters of a refusal
@@ -107,7 +117,38 @@ def _fcm(path) -> None:
     json.loads(fcm.dumps(machine))
 
 
+JOINTS = readings_csv.THREE_AXES
+SETTINGS = gcode.Settings({"G54": (1.0, 2.0, 3.0)}, {1: gcode.Tool(2.0, 3.0)})
+
+
+def _program(path) -> None:
+    moves = gcode.load(path, JOINTS, SETTINGS).moves
+    _finite("a move", moves.begin, moves.end, moves.sweep, moves.centre, moves.dwell)
+    number, _ = counts(moves, 1.0, 20_000)
+    found = sample(moves, number, 1e4)
+    _finite("a point", found.q, found.t)
+
+
+def _features(path) -> None:
+    found = features_json.load(path, JOINTS)
+    _finite("an offset", *found.offsets.values(), *(t.radius or 0 for t in found.tools.values()))
+
+
+def _path_points(path) -> None:
+    found = path_csv.load(path, JOINTS)
+    _finite("a position", found.positions.q)
+
+
+def _conditions(path) -> None:
+    found = path_csv.load_conditions(path, JOINTS)
+    _finite("a condition", found.at, *found.columns.values())
+
+
 READERS = {
+    "program": _program,
+    "features": _features,
+    "path points": _path_points,
+    "conditions": _conditions,
     "machine": _machine,
     "readings": _readings,
     "vector readings": _readings,

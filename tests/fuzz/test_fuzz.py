@@ -89,7 +89,7 @@ def tables(draw) -> bytes:
     return "\n".join(lines).encode("utf-8", "surrogatepass")
 
 
-@pytest.mark.parametrize("kind", ["readings", "positions", "tolerances", "isg", "etalon"])
+@pytest.mark.parametrize("kind", ["readings", "positions", "tolerances", "isg", "etalon", "path points", "conditions"])
 def test_made_tables_are_read_or_refused(kind, folder):
     @FEW
     @given(tables())
@@ -99,7 +99,7 @@ def test_made_tables_are_read_or_refused(kind, folder):
     check()
 
 
-@pytest.mark.parametrize("kind", ["machine", "mapping", "tolerances", "fcm", "manifest"])
+@pytest.mark.parametrize("kind", ["machine", "mapping", "tolerances", "fcm", "manifest", "features"])
 def test_made_json_is_read_or_refused(kind, folder):
     import json
 
@@ -110,6 +110,23 @@ def test_made_json_is_read_or_refused(kind, folder):
     def check(changes, keep):
         data = (seed if keep else {}) | changes
         readers.judge(kind, json.dumps(data).encode("utf-8", "surrogatepass"), folder)
+
+    check()
+
+
+WORD = st.one_of(
+    st.sampled_from("G0 G1 G2 G3 G17 G18 G19 G20 G41 G42 G40 G43 G53 G54 G81 G91 G90 G80 G98 G28 M6 M30".split()),
+    st.sampled_from("T1 D1 H1 F100 % / (x) O1 ;".split()),
+    st.builds("{}{}".format, st.sampled_from("XYZIJKRFPQLABSNM"), st.one_of(st.integers(-50, 50), CELL)),
+)
+
+
+def test_made_programs_are_read_or_refused(folder):
+    @FEW
+    @given(st.lists(st.lists(WORD, max_size=6).map(" ".join), max_size=12), st.booleans())
+    def check(blocks, placed):
+        head = "G0 X0 Y0 Z5\nG1 F100 Z0\n" if placed else ""
+        readers.judge("program", (head + "\n".join(blocks)).encode("utf-8", "surrogatepass"), folder)
 
     check()
 

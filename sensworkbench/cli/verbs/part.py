@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`part MACHINE PATH --out DIR`: what a part will look like, and which component makes it so."""
+
+from __future__ import annotations
+
+from sensworkbench.core.refusal import Refused
+
+from .. import common
+
+HELP = "what a part will look like, and which component makes it so"
+FILES = "`part.json`, `features.csv`, `points.csv`, `report.html`"
+
+
+def add(parser) -> None:
+    common.add_machine(parser)
+    text = "the tool path: a G-code program, or a table (.csv) of points"
+    parser.add_argument("path", metavar="PATH", help=text)
+    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    parser.add_argument("--features", metavar="FILE", help="features.json: features, work offsets, tools")
+    parser.add_argument("--conditions", metavar="FILE", help="table of conditions along the path")
+    text = "a condition that keeps one value, such as temp_column_C=24"
+    parser.add_argument("--hold", metavar="NAME=VALUE", action="append", default=[], help=text)
+    text = "limit of the features, um, or of one, NAME=UM"
+    parser.add_argument("--limit", metavar="UM", action="append", default=[], help=text)
+    text = "work offset, a value per joint, mm or deg: G54=100,-50,0"
+    parser.add_argument("--work-offset", metavar="G54=X,Y,Z", action="append", default=[], help=text)
+    text = "length beyond the machine's tool point and radius of a tool, mm: 1=0,5"
+    parser.add_argument("--tool", metavar="N=LENGTH,RADIUS", action="append", default=[], help=text)
+    text = "distance of the points of a program, mm (default 1)"
+    parser.add_argument("--step", metavar="MM", type=common.positive, default=1.0, help=text)
+    text = "what the machine's errors are taken from (default: fitted, where anything is)"
+    parser.add_argument("--errors", choices=("fitted", "tolerances"), help=text)
+    text = "speed of rapids, mm/min, for the time (default 10000)"
+    parser.add_argument("--rapid", metavar="MM_MIN", type=common.positive, default=10_000.0, help=text)
+    common.add_language(parser)
+
+
+def run(arguments) -> int:
+    from pathlib import Path
+
+    from sensworkbench.formats import part_files
+
+    machine = common.load_machine(arguments.machine)
+    folder = Path(arguments.out)
+    given = [arguments.machine, arguments.path, arguments.features, arguments.conditions]
+    for name in part_files.NAMES:
+        common.keep_inputs(folder / name, *(g for g in given if g))
+    options = part_files.Options(
+        features=arguments.features,
+        conditions=arguments.conditions,
+        held=tuple(arguments.hold),
+        limits=tuple(arguments.limit),
+        offsets=tuple(arguments.work_offset),
+        tools=tuple(arguments.tool),
+        step=arguments.step,
+        errors=arguments.errors,
+        rapid=arguments.rapid,
+    )
+    try:
+        job = part_files.read(machine, arguments.path, options)
+        result = part_files.judged(job)
+    except Refused as refused:
+        raise (refused.at(arguments.path) if refused.where.startswith("line ") else refused) from None
+    return common.say_paths(part_files.write(folder, job, result, arguments.language))

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""G-code (ISO 6983, RS-274): read into moves."""
+
+from .program import Program, Settings, Tool, load, loads
+
+__all__ = ["Program", "Settings", "Tool", "load", "loads"]

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A part study from its files to its files: path, features and conditions are read, results are written as one set."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+
+from sensworkbench.core.machine import Machine
+from sensworkbench.core.refusal import Refused
+from sensworkbench.core.toolpath import STEP_MM, ToolPath
+from sensworkbench.core.units import mm
+from sensworkbench.studies.part import FeatureRequest, PartRequest, PartResult, part_study
+from sensworkbench.studies.part_path import RAPID_MM_MIN, Conditions, of_moves, of_points
+
+from . import csv_table, features_json, gcode, json_text, part_json, path_csv, study_files
+
+NAMES = ("part.json", "features.csv", "points.csv", "report.html")
+TABLES = (".csv", ".tsv", ".txt")
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the command line says; texts as they are written there.  features, conditions : files, or None."""
+
+    features: str | None = None
+    conditions: str | None = None
+    held: tuple[str, ...] = ()
+    limits: tuple[str, ...] = ()
+    offsets: tuple[str, ...] = ()
+    tools: tuple[str, ...] = ()
+    step: float = STEP_MM
+    errors: str | None = None
+    rapid: float = RAPID_MM_MIN
+
+
+@dataclass(frozen=True)
+class Job:
+    """Everything a part study needs.  program : of a G-code path, else None.  source : for part.json."""
+
+    machine: Machine
+    path: ToolPath
+    request: PartRequest
+    conditions: Conditions
+    options: Options
+    program: gcode.Program | None = None
+    source: dict = field(default_factory=dict)
+
+
+def read(machine: Machine, path, options: Options = Options()) -> Job:
+    """The job of the files that are named; refuses what cannot be understood."""
+    joints = machine.joints
+    file = features_json.load(options.features, joints) if options.features else features_json.FeatureFile()
+    conditions = path_csv.load_conditions(options.conditions, joints) if options.conditions else Conditions()
+    held = dict(path_csv.held(text, joints) for text in options.held)
+    conditions = replace(conditions, held=held)
+    limits = [_limit(text) for text in options.limits]
+    source: dict = {"path": Path(path).name}
+    if Path(path).suffix.lower() in TABLES:
+        points = path_csv.load(path, joints)
+        features, labels = features_json.of_points(file, points.labels, points.features, points.positions.line)
+        made, program = of_points(machine, points.positions, points.normal, labels, conditions), None
+        source["remarks"] = [f.message for f in points.positions.findings if not isinstance(f.message, str)]
+    else:
+        offsets = dict(_offset(text, joints) for text in options.offsets)
+        tools = dict(_tool(text) for text in options.tools)
+        program = gcode.load(path, joints, features_json.settings_for(file, offsets, tools))
+        features, rows = features_json.of_program(program, file)
+        made, step = of_moves(machine, program.moves, conditions, rows, options.step, rapid=options.rapid)
+        source |= {"unread_words": program.unread, "assumed": program.assumed, "remarks": program.remarks}
+        source["settings"] = {"step_mm": part_json.number(step), "rapid_mm_min": options.rapid}
+    request = PartRequest(_limited(features, limits), errors=options.errors)
+    return Job(machine, made, request, conditions, options, program, source)
+
+
+def _limited(features, limits) -> tuple[FeatureRequest, ...]:
+    """The features with the limits of the command line: of all, then of single ones."""
+    found = list(features)
+    for name, limit in sorted(limits, key=lambda pair: pair[0] is not None):
+        if name is not None and all(f.name != name for f in found):
+            raise Refused("feature-unknown", "--limit", name=json_text.short(name), known=[f.name for f in found][:20])
+        found = [replace(f, limit=limit) if name in (None, f.name) else f for f in found]
+    return tuple(found)
+
+
+def _numbers(text: str, where: str, count: int) -> list[float]:
+    parts = text.split(",")
+    if len(parts) != count or not all(csv_table.is_number(p.strip()) and np.isfinite(float(p)) for p in parts):
+        raise Refused("part-option-numbers", where, text=text[:60], count=count)
+    return [float(p) for p in parts]
+
+
+def _limit(text: str) -> tuple[str | None, float]:
+    name, sign, number = text.rpartition("=")
+    value = _numbers(number, f"--limit {text[:60]}", 1)[0]
+    if not 0 < value < 1e9:
+        raise Refused("feature-limit", f"--limit {text[:60]}", limit=value)
+    return (name if sign else None), mm(value)
+
+
+def _offset(text: str, joints) -> tuple[str, tuple[float, ...]]:
+    system, _, rest = text.partition("=")
+    where = f"--work-offset {text[:60]}"
+    if system.upper() not in features_json.SYSTEMS:
+        raise Refused("part-option-system", where, known=list(features_json.SYSTEMS))
+    values = _numbers(rest, where, len(joints))
+    return system.upper(), tuple(float(j.from_shown(v)) for j, v in zip(joints, values))
+
+
+def _tool(text: str) -> tuple[int, gcode.Tool]:
+    number, _, rest = text.partition("=")
+    where = f"--tool {text[:60]}"
+    length, radius = _numbers(rest, where, 2)
+    if not (number.isascii() and number.isdigit() and len(number) < 7):
+        raise Refused("features-tool-number", where, number=json_text.short(number))
+    if radius < 0 or max(radius, abs(length)) > 1e4:
+        raise Refused("features-tool-size", where, key="radius", value=radius)
+    return int(number), gcode.Tool(length, radius)
+
+
+def judged(job: Job, progress=None) -> PartResult:
+    """The outcome of a job."""
+    return part_study(job.machine, job.path, job.request, progress)
+
+
+def files(job: Job, result: PartResult, language: str = "en", correction: dict | None = None) -> dict:
+    """Name -> text of the files of a part."""
+    from . import part_html
+
+    source = job.source if correction is None else job.source | {"correction": correction}
+    data = part_json.to_dict(result, source)
+    return {
+        "part.json": json_text.dumps(data),
+        "features.csv": part_json.features_csv(data),
+        "points.csv": part_json.points_csv(result),
+        "report.html": part_html.part_report(data, result, language),
+    }
+
+
+def write(folder, job: Job, result: PartResult, language: str = "en") -> list[Path]:
+    """Write the files of a part as one set; returns their paths."""
+    return study_files.write_set(folder, "part", files(job, result, language))
