@@ -26,6 +26,7 @@ from .problem import State
 from .scan import exact_gain
 from .search import ScoredTerm
 from .settings import DEFAULT
+from .sources import common_sources
 from .uncertainty import Spread, expected, settled, spread, triangle, with_effects
 
 ROUNDS = 3  # of steps of the derivatives: as wide as the uncertainty that they give
@@ -82,7 +83,7 @@ class Estimates:
             extra = np.stack(slopes, axis=1) if slopes else None
             wide = with_effects(prior, self.full.extra, widths)
             known = None if found is None else found.noise
-            found = spread(self.full, problem.readings, effects, extra, wide, known)
+            found = spread(self.full, problem.readings, effects, extra, wide, known, common_sources(problem.readings))
             for j, (i, key) in enumerate(self.searched):
                 u = float(np.sqrt((found.factor[first + j] ** 2).sum()))
                 c = self.model[i]
@@ -183,34 +184,72 @@ class Estimates:
 
         around : for each named effect, the rivals with their terms (see `rivals.rivals`).
         """
-        terms = self.full.design.terms
-        count = len(terms)
-        factor = self.spread.factor
-        keys = [_key(t) for t in terms]
-        maps = [np.eye(count)]
-        first = len(self.full.coefficients)
+        keys, maps = self._keys(effects)
+        others = [o for i, near in enumerate(around) for o in self._others(i, near, len(keys), maps)]
+        whole = triangle(
+            np.concatenate([self._expanded(self.spread.factor, keys, maps), self._apart(keys, effects)], axis=1)
+        )
+        return uncertainty_of(keys, whole, others)
+
+    def parts(self, effects: Sequence[Effect], others: Sequence[OtherName]) -> dict[str, Uncertainty]:
+        """source -> the part of the uncertainty that it makes; see `sources.budget`.  others : of `stored`."""
+        keys, maps = self._keys(effects)
+        found = self.spread
+        alone = self._set_up_known
+        out = {
+            "noise": np.concatenate([self._expanded(alone, keys, maps), self._apart(keys, effects)], axis=1),
+            "noise and alignment": np.concatenate(
+                [self._expanded(found.data, keys, maps), self._apart(keys, effects)], axis=1
+            ),
+            **{name: self._expanded(c[:, None], keys, maps) for name, c in found.common.items()},
+            "undetermined": self._expanded(found.open, keys, maps),
+        }
+        found = {name: uncertainty_of(keys, factor) for name, factor in out.items()}
+        return found | {"rivals": uncertainty_of(keys, np.zeros((len(keys), 1)), others)}
+
+    @cached_property
+    def _set_up_known(self) -> np.ndarray:
+        """(n, r) factor by the noise alone, if alignment and offsets of runs and tools were known."""
+        problem, found, terms = self.state.problem, self.spread, self.full.design.terms
+        keep = np.array([t.group == DECLARED for t in terms])
+        design_ = replace(self.full.design, matrix=self.full.design.matrix * keep)
+        slopes = [self._slope(i, key, self._steps_and_spread[0][i, key]) for i, key in self.searched]
+        extra = np.stack(slopes, axis=1) if slopes else None
+        full = replace(self.full, design=design_)
+        known = spread(full, problem.readings, problem.columns_of(self.model), extra, None, found.noise)
+        return known.data
+
+    def _keys(self, effects: Sequence[Effect]) -> tuple[list[tuple], list[np.ndarray]]:
+        """(keys of all parameters as a machine keeps them, maps from those of the fit: terms, then each effect's)."""
+        count = len(self.full.design.terms)
+        keys, maps = [_key(t) for t in self.full.design.terms], [np.eye(count)]
         for c, effect in zip(self.model, effects):
             wide = np.stack([np.asarray(c.shape.stored(e, np.eye(len(e)))[1]) for e in np.eye(c.shape.size)], axis=1)
             keys += [(EFFECT, effect.name, effect.component, j) for j in range(len(wide))]
             maps.append(wide)
+        keys += [(EFFECT, effects[i].name, key) for i, key in (*self.searched, *self.thresholds)]
+        return keys, maps
+
+    def _expanded(self, factor, keys, maps) -> np.ndarray:
+        """(len(keys), k) rows of a machine's parameters, of a factor (n, k) of those of the fit."""
+        first, count = len(self.full.coefficients), len(self.full.design.terms)
         rows = [m @ factor[s] for m, s in zip(maps, [slice(0, count), *self.blocks])]
-        for j, (i, key) in enumerate(self.searched):
-            keys.append((EFFECT, effects[i].name, key))
-            rows.append(factor[[first + j]])
-        more = []  # what thresholds add: each its own
+        rows.append(factor[first : first + len(self.searched)])
+        whole = np.concatenate(rows)
+        return np.concatenate([whole, np.zeros((len(keys) - len(whole), factor.shape[1]))])
+
+    def _apart(self, keys, effects) -> np.ndarray:
+        """(len(keys), m) what thresholds add, each independent."""
         at = {key: n for n, key in enumerate(keys)}
+        more = []
         for (i, key), (u, extra) in self.thresholds.items():
-            keys.append((EFFECT, effects[i].name, key))
-            more.append((len(keys) - 1, u))
-            more += [(at[EFFECT, effects[i].name, effects[i].component, j], v) for j, v in enumerate(extra) if v > 0]
-        whole = np.concatenate(rows) if rows else np.zeros((0, factor.shape[1]))
-        whole = np.concatenate([whole, np.zeros((len(keys) - len(whole), whole.shape[1]))])
-        apart = np.zeros((len(keys), len(more)))
+            own = effects[i]
+            more.append((at[EFFECT, own.name, key], u))
+            more += [(at[EFFECT, own.name, own.component, j], v) for j, v in enumerate(extra) if v > 0]
+        out = np.zeros((len(keys), len(more)))
         for column, (n, value) in enumerate(more):
-            apart[n, column] = value
-        whole = triangle(np.concatenate([whole, apart], axis=1))
-        others = [o for i, near in enumerate(around) for o in self._others(i, near, len(keys), maps)]
-        return uncertainty_of(keys, whole, others)
+            out[n, column] = value
+        return out
 
     def term_u(self, known: Uncertainty) -> np.ndarray:
         """(terms,) standard uncertainty of each, the choice among names included; NaN where it is not determined."""

@@ -42,6 +42,7 @@ class Readings:
     column ("" where unknown).
     categories : text columns, (P,).  run : (P,) labels.  tool_offset : (P, 3) mm, or None.  line : (P,) in the file.
     alignment : of the set-up: "once", "offset per run", "per run", or "" where the file does not say.
+    records : what the file states of machine, instrument and session, by key (see `formats.readings_records`).
     kind : (R,) 0, 1, 2 for ex, ey, ez and 3 for a reading along its own vector - noise is estimated per kind.
     """
 
@@ -58,6 +59,7 @@ class Readings:
     tool_offset: np.ndarray | None = None
     line: np.ndarray | None = None
     findings: tuple[Finding, ...] = ()
+    records: Mapping[str, str] = field(default_factory=dict)
     alignment: str = ""
 
     @property
@@ -92,6 +94,7 @@ class Readings:
             line=part(self.line),
             findings=self.findings,
             alignment=self.alignment,
+            records=self.records,
         )
 
     @classmethod

@@ -45,6 +45,7 @@ from .rivals import aliases, driven_by, rivals, separating_measurement
 from .scan import exact_gain
 from .search import ScoredTerm, surface_candidate
 from .signs import flipped_remark
+from .sources import budget
 from .uncertainty import settled
 
 
@@ -95,6 +96,7 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
         alignment=problem.readings.alignment,
         guarantee=checks.guarantee(state),
         evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(uncertainty)),
+        budget=budget(machine, problem.readings, final.estimates.parts(effects, uncertainty.others)),
         log=state.log,
     )
     tell(1.0, "done")
@@ -193,10 +195,13 @@ class _Final:
             inside = um(_residual(x[:, own], y, full))
             outside = um(scores.held_out_rows(own, full, state.row_block, y, x))
             residuals[name], residuals[name + "_held_out"] = inside, outside
+            runs = scores.left_out_runs(own, full, readings, y, x)
             table[name] = StageError(
                 scores.metrics(inside, readings, used),
                 scores.metrics(outside, readings, used),
                 tuple(scores.interval(outside, readings, state.block, used, state.problem.seed)),
+                tuple(runs or scores.left_out_blocks(outside, readings, state.block, used)),
+                "runs" if runs else "blocks",
             )
         residuals["used"] = used
         return table, residuals

@@ -10,9 +10,10 @@ import numpy as np
 from ..core.errors import SQUARENESS, component
 from ..core.fitted import DECLARED, EFFECT, Constant, FittedModel, Series, ToolError, Uncertainty, scale_of
 from ..core.machine import Machine
+from ..core.units import um
 from . import evidence
 from .design import ALIGNMENT, Term, tool_labels
-from .fit import Fit
+from .fit import Fit, basis, solution
 from .readings import Readings
 from .settings import DEFAULT, TraceSettings
 
@@ -132,6 +133,39 @@ def held_out_rows(grams_columns, fitted: Fit, row_block: np.ndarray, y: np.ndarr
         rows = row_block == b
         out[rows] = y[rows] - x[np.ix_(rows, grams_columns)] @ beta
     return out
+
+
+def left_out_runs(columns, fitted: Fit, readings: Readings, y, x) -> list[float]:
+    """3-D rms (um) of each run by a fit of all others; () where there are fewer than two runs.
+
+    The offset of the run that is left out, or with `alignment` "per run" its set-up, is fitted to it before it is
+    judged: it belongs to the run, and no other can know it.  columns : of x (R, n) that the model holds.
+    """
+    if readings.run is None:
+        return []
+    labels = np.array([str(r) for r in readings.run])
+    terms, out = fitted.design.terms, []
+    own = [i for i, t in enumerate(terms) if t.group == "alignment"]
+    own = own if readings.alignment == "per run" else own[:3]
+    nuisance = fitted.design.matrix[:, own]
+    for label in sorted(set(labels)):
+        mine = (labels == label)[readings.point]
+        used = mine & (fitted.weight > 0)
+        if not used.any() or mine.all():
+            continue
+        train = x[:, columns] * (fitted.weight * ~mine)[:, None]
+        b = basis(train)
+        theta = solution(b, train, y * fitted.weight * ~mine)
+        left = y - x[:, columns] @ theta
+        shift, *_ = np.linalg.lstsq(nuisance[used], left[used], rcond=1e-9)
+        left = um(left - nuisance @ shift)
+        out.append(metrics(left, readings, used)["rms_um"])
+    return out
+
+
+def left_out_blocks(error_um, readings: Readings, block, used) -> list[float]:
+    """3-D rms (um) of each block of readings by a fit of all others; error_um (R,), block (P,)."""
+    return [metrics(error_um, readings, used & (block == b)[readings.point])["rms_um"] for b in np.unique(block)]
 
 
 def replicates(readings: Readings, residual_um: np.ndarray, used, settings: TraceSettings = DEFAULT) -> float | None:

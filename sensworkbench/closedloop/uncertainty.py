@@ -9,6 +9,7 @@ has the variance that the machine's tolerances leave to it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -44,7 +45,8 @@ class Spread:
     """Covariance of n parameters as two factors: data (n, r) what the noise does, open (n, k) what tolerances leave.
 
     shift (n,): what the tolerances add to a minimum-norm estimate, along what the readings do not determine; zero
-    where nothing is open.  determined (n,) bool.
+    where nothing is open.  determined (n,) bool.  common: source -> (n,) what one standard uncertainty of it, common
+    to all readings, does to the parameters.
     """
 
     data: np.ndarray
@@ -52,16 +54,18 @@ class Spread:
     shift: np.ndarray
     determined: np.ndarray
     noise: NoiseModel
+    common: Mapping[str, np.ndarray]
 
     @property
     def factor(self) -> np.ndarray:
-        """(n, r + k): the covariance is this times its transpose."""
-        return np.concatenate([self.data, self.open], axis=1)
+        """(n, r + k + s): the covariance is this times its transpose."""
+        return np.concatenate([self.data, *(c[:, None] for c in self.common.values()), self.open], axis=1)
 
     @property
     def u(self) -> np.ndarray:
         """(n,) standard uncertainty by the readings; NaN where they do not determine the parameter."""
-        return np.where(self.determined, np.sqrt((self.data**2).sum(axis=1)), np.nan)
+        square = (self.data**2).sum(axis=1) + sum(c**2 for c in self.common.values())
+        return np.where(self.determined, np.sqrt(square), np.nan)
 
 
 # -- what the tolerances say -------------------------------------------------------------------------------------------
@@ -258,13 +262,14 @@ def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None
 
 
 # -- the covariance ----------------------------------------------------------------------------------------------------
-def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None, noise=None) -> Spread:
+def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None, noise=None, common=None) -> Spread:
     """The covariance of the coefficients of a fit, and of parameters that were searched for.
 
     effects : (R, m) columns of the effects in the fit.  extra : (R, d) derivatives of the readings by the parameters,
     after the coefficients in what is returned.  prior : (mean, standard deviation), each (n + d,), of the parameters
     before anything was read; they decide what the readings do not determine (None: it stays out).
-    noise : a `NoiseModel` whose correlations are used (None: those of the residuals).
+    noise : a `NoiseModel` whose correlations are used (None: those of the residuals).  common : source -> (R,) mm what
+    one standard uncertainty of it does to the readings.
     """
     parts = [fitted.design.matrix]
     parts += [p for p in (effects, extra) if p is not None and p.shape[1]]
@@ -275,7 +280,9 @@ def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None
     scale = np.where(finite, b.scale, 1.0)
     rows = (b.v / b.s) / scale[:, None]
     noise, inner = noise_model(fitted, readings, b.ortho, noise)
-    data = rows @ _root(inner)
+    common = common or {}
+    turned = [rows @ (b.ortho.T @ fitted.white(field)) for field in common.values()]
+    data = np.column_stack([*turned, rows @ _root(inner)])
     determined = (1 - (b.v**2).sum(axis=1) < 1e-6) & finite
     open_part, shift = np.zeros((n, 0)), np.zeros(n)
     if b.rank < n:
@@ -283,7 +290,8 @@ def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None
         known = min(len(fitted.coefficients), n)
         estimate[:known] = fitted.coefficients[:known]
         data, open_part, shift = _settled(b.v, scale, data, estimate, prior)
-    return Spread(data, open_part, shift, determined, noise)
+    moved = {name: data[:, i] for i, name in enumerate(common)}
+    return Spread(data[:, len(moved) :], open_part, shift, determined, noise, moved)
 
 
 def _settled(v, scale, data, estimate, prior):

@@ -90,7 +90,7 @@ class Uncertainty:
 
     def matrix(self) -> np.ndarray:
         """(n, k) the factor."""
-        width = max((len(r) for r in self.factor), default=0)
+        width = max((len(r) for r in self.factor), default=1) or 1
         return np.array([[*row, *[0.0] * (width - len(row))] for row in self.factor]).reshape(-1, width)
 
 

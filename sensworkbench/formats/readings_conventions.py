@@ -11,7 +11,7 @@ from collections.abc import Mapping
 
 from sensworkbench.core.refusal import Refused
 
-from . import column_names, json_text
+from . import column_names, json_text, readings_records
 from .files import read_text
 from .json_text import short
 
@@ -50,8 +50,9 @@ def read_answers(comments, header: Mapping, names_line: int, source: str) -> dic
     """question -> ((answer, axes...), line): of a mapping's `header` and of `comments` (line, text)."""
     stated = [(f"{k}: {v}", 0) for k, v in header.items()]
     for text, _ in stated:
-        if not question(text):
-            raise Refused("statement-unknown", "mapping, header", text=short(text), known=list(ANSWERS))
+        if not question(text) and not readings_records.statement(text)[0]:
+            known = [*ANSWERS, *readings_records.KEYS]
+            raise Refused("statement-unknown", "mapping, header", text=short(text), known=known)
     answers: dict[str, tuple[tuple[str, ...], int]] = {}
     for text, line in stated + [(text, line) for line, text in comments]:
         key, said = _statement(text)

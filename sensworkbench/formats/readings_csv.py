@@ -24,6 +24,7 @@ from .json_text import short
 from .predicted_csv import save_predicted
 from .readings_conventions import ANSWERS, NOT_IN_READINGS, check_mapping, load_mapping, read_answers
 from .readings_order import approach_directions, backwards, time_order
+from .readings_records import read_records
 
 __all__ = [
     "load",
@@ -78,6 +79,7 @@ class _Reader:
         self.categories: dict[str, np.ndarray] = {}
         self.run = None
         self.answers: dict[str, tuple[str, int]] = {}
+        self.records: dict[str, str] = {}
         self.column_of: dict[str, int] = {}
         self.commas: dict[bool, int] = {}  # decimal comma or point -> the first column that has it
 
@@ -174,6 +176,7 @@ class _Reader:
     def _read_answers(self, header: Mapping) -> None:
         table = self.table
         self.answers = read_answers(table.comments, header, table.names_line, table.source)
+        self.records = read_records(table.comments, header, table.names_line, table.source)
         for key, code in NOT_IN_READINGS.items():
             if self._answer(key)[0] != ANSWERS[key][0]:
                 why = Message(code)
@@ -418,6 +421,7 @@ class _Reader:
             line=line,
             findings=tuple(self.findings),
             alignment=self._alignment(),
+            records=self.records,
         )
 
     def _alignment(self) -> str:

@@ -89,6 +89,8 @@ def to_dict(result: TraceResult) -> dict:
             **said_all("conditions", result.guarantee.conditions),
         },
         "effects": [_effect(e) for e in result.effects] + ([_hidden(result.hidden)] if result.hidden else []),
+        "budget": [{"source": b.source, "variance_um2": b.variance * 1e6} for b in result.budget],
+        "records": dict(result.readings.records),
         "error": {name: _stage(e) for name, e in result.error.items()} | said("note", Message("error-note")),
         "noise": _noise(result.noise),
         "identifiability": {
@@ -167,7 +169,17 @@ def _hidden(h: HiddenMotion) -> dict:
 
 
 def _stage(e: StageError) -> dict:
-    return {"in_sample": dict(e.in_sample), "held_out": {**e.held_out, "rms_interval_um": list(e.interval)}}
+    out = {"in_sample": dict(e.in_sample), "held_out": {**e.held_out, "rms_interval_um": list(e.interval)}}
+    if e.left_out:
+        count = len(e.left_out)
+        out["left_out"] = {
+            "by": e.by,
+            "number": count,
+            "lowest_um": min(e.left_out),
+            "highest_um": max(e.left_out),
+            "coverage": count / (count + 1),
+        }
+    return out
 
 
 def _noise(n: NoiseSummary) -> dict:

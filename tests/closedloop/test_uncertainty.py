@@ -17,10 +17,11 @@ from sensworkbench.closedloop.predict import predict, uncertainty
 from sensworkbench.closedloop.problem import Problem, State
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.search import ScoredTerm, refine
+from sensworkbench.closedloop.trace import trace
 from sensworkbench.closedloop.uncertainty import expected, settled, spread, triangle, with_effects
 from sensworkbench.core.fitted import Uncertainty
 from sensworkbench.core.shapes import Regressor
-from sensworkbench.formats import machine_json, readings_csv
+from sensworkbench.formats import machine_json, readings_csv, trace_json
 from sensworkbench.studies.predict import predict_study
 
 from .support import both, grid, measured, scattered, session
@@ -217,3 +218,34 @@ def test_a_triangle_holds_the_same_covariance():
     half = triangle(factor)
     assert half @ half.T == pytest.approx(factor @ factor.T, rel=1e-9)
     assert not half[:5][np.triu_indices(5, 1)].any()
+
+
+# -- budget ------------------------------------------------------------------------------------------------------------
+def outcome_of(records):
+    """A trace of readings in six runs, with records of instrument and temperature."""
+    simulated, machine = both()
+    q, columns = scattered(180, 7), session(180, 7)
+    bend = {"EAZ": 12e-6 * columns["temp_column"]}
+    run = np.arange(180) // 30
+    readings = measured(simulated, q, bend, columns, NOISE, tool=0.0, run=run)
+    return trace(machine, replace(readings, records=records), permutations=199)
+
+
+def test_the_budget_is_the_mean_variance_of_the_predictions_and_names_its_sources():
+    result = outcome_of({"u_scale_um_m": "2", "expansion_um_m_k": "11.5", "u_temperature_k": "0.1"})
+    lines = {b.source: b.variance for b in result.budget}
+    assert set(lines) == {"noise", "alignment", "instrument", "temperature", "undetermined", "rivals"}
+    u = uncertainty(result.machine, result.readings)
+    assert sum(lines.values()) == pytest.approx((u**2).sum(axis=1).mean(), rel=0.02)
+    # by hand: a scale off by u moves every place by u times its distance from the middle
+    place = result.readings.q - result.readings.q.mean(axis=0)
+    assert lines["instrument"] == pytest.approx((2e-6) ** 2 * (place**2).sum(axis=1).mean(), rel=0.05)
+    assert lines["temperature"] == pytest.approx(lines["instrument"] * (11.5 * 0.1 / 2) ** 2, rel=1e-6)
+    assert lines["undetermined"] < 1e-4 * lines["noise"]  # at places and with the tool of the readings
+    error = trace_json.to_dict(result)["error"]["augmented"]["left_out"]
+    assert error["by"] == "runs" and error["number"] == 6 and error["coverage"] == pytest.approx(6 / 7)
+    assert 0.5 < error["lowest_um"] / (1e3 * NOISE * np.sqrt(3)) < error["highest_um"] / (1e3 * NOISE * np.sqrt(3)) < 2
+
+
+def test_what_the_file_does_not_state_is_in_no_budget():
+    assert {b.source for b in outcome_of({}).budget} == {"noise", "alignment", "undetermined", "rivals"}
