@@ -16,7 +16,7 @@ from . import scores
 from .design import run_labels
 from .fit import Fit
 from .freeform import normal_score
-from .noise import lags
+from .noise import lagged
 from .problem import State
 from .readings import Readings
 from .result import Guarantee, NoiseSummary
@@ -60,7 +60,7 @@ def noise_summary(fitted: Fit, readings: Readings, residual_um, settings: TraceS
     used = fitted.weight > 0
     stated = readings.u[used & np.isfinite(readings.u)]
     pure = scores.replicates(readings, residual_um, used, settings)
-    memory = {NAMES[k]: v[0] for k, v in lags(fitted, readings, 1).items()}
+    memory = {NAMES[k]: v for k, v in lagged(fitted, readings, 1).items()}
     modelled = {}
     if fitted.memory is not None:
         for kind in np.unique(readings.kind).tolist():

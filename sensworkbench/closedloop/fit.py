@@ -47,13 +47,6 @@ class Basis:
         return self.ortho.shape[1]
 
 
-def _scaled(matrix, weight=None) -> tuple[np.ndarray, np.ndarray]:
-    """Weighted columns of unit length, and their lengths (infinite for a column that shows nowhere)."""
-    x = matrix if weight is None else matrix * weight[:, None]
-    scale = _lengths(np.linalg.norm(x, axis=0))
-    return x / scale, scale
-
-
 def _lengths(scale) -> np.ndarray:
     """Lengths of columns, infinite where only rounding is left of one."""
     return np.where(scale <= NOTHING * max(scale.max(initial=0.0), 1e-300), np.inf, scale)
@@ -65,15 +58,16 @@ def basis(matrix, weight=None) -> Basis:
     Twice through the Gram matrix (the second pass restores orthogonality to rounding): for tall designs many times
     faster than Householder, and exact enough where singular values span less than 1/RANK_TOLERANCE.
     """
-    x, scale = _scaled(matrix, weight)
-    values, vectors = np.linalg.eigh(x.T @ x)
+    x = matrix if weight is None else matrix * weight[:, None]
+    gram = x.T @ x
+    scale = _lengths(np.sqrt(np.diag(gram)))
+    values, vectors = np.linalg.eigh(gram / scale / scale[:, None])
     keep = values > RANK_TOLERANCE**2 * values[-1]
     root = np.sqrt(values[keep])
-    q = x @ (vectors[:, keep] / root)
-    lower = np.linalg.cholesky(q.T @ q)
-    q = q @ np.linalg.inv(lower).T  # nearly the identity
+    q = x @ (vectors[:, keep] / root / scale[:, None])
+    lower = np.linalg.cholesky(q.T @ q)  # nearly the identity
     u, s, vt = np.linalg.svd(lower.T @ (root[:, None] * vectors[:, keep].T), full_matrices=False)
-    return Basis(np.ascontiguousarray(q @ u), s, vt.T, scale, float(s[0] / s[-1]))
+    return Basis(q @ np.linalg.solve(lower.T, u), s, vt.T, scale, float(s[0] / s[-1]))
 
 
 def solution(b: Basis, weighted, target) -> np.ndarray:
@@ -344,7 +338,8 @@ def null_space(fit: Fit, readings: Readings, settings: TraceSettings = DEFAULT) 
     terms = fit.design.terms
     found = []
     for vector in fit.null_space[: len(terms)].T:
-        strong = [i for i in np.argsort(-np.abs(vector)) if abs(vector[i]) > settings.null_named * np.abs(vector).max()]
+        share = np.round(np.abs(vector) / np.abs(vector).max(), 6)  # equal ones stand in the order of the terms
+        strong = [i for i in np.argsort(-share, kind="stable") if share[i] > settings.null_named]
         names = list(dict.fromkeys(terms[i].title for i in strong))
         if names:
             found.append(_undetermined(names, readings, settings))

@@ -120,20 +120,17 @@ def memory_of(readings: Readings, correlations, use) -> Memory | None:
     return Memory(before, phi)
 
 
-def lags(fitted, readings: Readings, count: int = 2) -> dict[int, tuple[float, ...]]:
-    """kind -> correlations of the weighted residual at lags 1 .. count, within runs; outliers are skipped."""
+def lagged(fitted, readings: Readings, lag: int) -> dict[int, float]:
+    """kind -> correlation of the weighted residual with that `lag` readings before, in a run; outliers are skipped."""
     r = fitted.residual * fitted.weight
     run = _runs(readings)
     out = {}
     for k in np.unique(readings.kind).tolist():
         rows = np.flatnonzero((readings.kind == k) & (fitted.weight > 0))
         below = float(r[rows] @ r[rows])
-        found = []
-        for lag in range(1, count + 1):
-            a, b = rows[lag:], rows[:-lag]
-            same = run[a] == run[b]
-            found.append(float(r[a[same]] @ r[b[same]]) / below if below > 0 and same.any() else 0.0)
-        out[k] = tuple(found)
+        a, b = rows[lag:], rows[:-lag]
+        same = run[a] == run[b]
+        out[k] = float(r[a[same]] @ r[b[same]]) / below if below > 0 and same.any() else 0.0
     return out
 
 
@@ -145,9 +142,9 @@ def slow_drift(fitted, readings: Readings, settings) -> int | None:
     """
     points = readings.points
     lag = max(settings.drift_least, round(settings.drift * points))
-    for k, found in lags(fitted, readings, lag).items():
+    for k, found in lagged(fitted, readings, lag).items():
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
-        if found[-1] > max(settings.remembers, settings.drift_score / np.sqrt(max(count - lag, 1))):
+        if found > max(settings.remembers, settings.drift_score / np.sqrt(max(count - lag, 1))):
             return lag
     return None
 
@@ -161,7 +158,7 @@ def correlation(fitted, readings: Readings, settings) -> dict[int, float]:
     out = {}
     used = max(int(np.count_nonzero(fitted.weight)), 1)
     share = used / max(fitted.dof, 0.5 * used)
-    for k, (first, *_) in lags(fitted, readings, 1).items():
+    for k, first in lagged(fitted, readings, 1).items():
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
         certain = first * np.sqrt(max(count, 1)) > settings.memory_score
         whole = first * share + (1 + 3 * first) / max(count, 10)

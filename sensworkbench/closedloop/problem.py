@@ -344,7 +344,7 @@ class State:
         within : for held-out errors with a shift of each block taken out, too.
         """
         p = self.problem
-        parts = [basis(fitted.white(p.design.matrix)).ortho]
+        parts = [self.rows_with(fitted, []).ortho]
         extra = p.columns_of(others)
         if extra is not None:
             parts.append(fitted.white(extra))

@@ -169,10 +169,10 @@ def _smooth(state: State, model, rest: Remainder) -> ScoredTerm | None:
 def _unlogged(state: State, model) -> Unlogged | None:
     """A body that moves from reading to reading, by a driver that nobody logged."""
     p, s = state.problem, state.settings
-    rows = state.rows(state.fit_with(model))
+    rows, some = state.scanned(state.rows(state.fit_with(model))), p.scan_readings
     for found in (
         unlogged_driver(rows, s, seed=p.seed),
-        uneven_noise(rows, p.readings.q, p.readings.kind, s, seed=p.seed),
+        uneven_noise(rows, some.q, some.kind, s, seed=p.seed),
     ):
         if found is not None and found.p < s.alpha and found.size > s.floor:
             return found

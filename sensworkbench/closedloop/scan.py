@@ -20,7 +20,7 @@ from .noise import Memory
 from .settings import DEFAULT, TraceSettings
 
 CHUNK = 512  # bank entries at a time
-MOST_KEPT = 60_000  # rows; beyond, one component is kept at a time
+MOST_KEPT = 160 * 2**20  # bytes of sums per point; beyond, those of other components are forgotten
 
 
 @dataclass(frozen=True)
@@ -149,18 +149,29 @@ class Rows:
     def per_point(self, component: int):
         """(model (P, m), squares (P,), residual (P,), pairs) of one component, summed over each point's rows; kept."""
         if component not in self.kept:
-            if len(self.residual) > MOST_KEPT:
+            if (len(self.kept) + 1) * len(self.start) * self.ortho.shape[1] * 8 > MOST_KEPT:
                 self.kept.clear()
-            lever = self.lever[:, [component]]
-            r = self.residual - self.ortho @ (self.ortho.T @ self.residual)
-            crossed = self.crossed(lever)
+            lever = np.ascontiguousarray(self.lever[:, component])
             self.kept[component] = (
-                self.gather(self._pulled_ortho * lever),
-                self.squares(lever)[:, 0],
-                self.gather(lever[:, 0] * self.pulled(r)),
-                crossed,
+                self.gathered(lever),
+                self.squares(lever[:, None])[:, 0],
+                self.gather(lever * self._pulled_residual),
+                self.crossed(lever[:, None]),
             )
         return self.kept[component]
+
+    def gathered(self, lever) -> np.ndarray:
+        """(P, m) sums over each point's rows of the pulled model times lever (R,)."""
+        each = self.each
+        if each is None:
+            return self.gather(self._pulled_ortho * lever[:, None])
+        points = len(self.start)
+        parts = self._pulled_ortho.reshape(points, each, -1)
+        return np.matmul(lever.reshape(points, 1, each), parts)[:, 0, :]
+
+    @cached_property
+    def _pulled_residual(self) -> np.ndarray:
+        return self.pulled(self.residual - self.ortho @ (self.ortho.T @ self.residual))
 
     @cached_property
     def _pulled_ortho(self) -> np.ndarray:
@@ -257,7 +268,7 @@ class Scanner:
                 cross[k : k + CHUNK] += (one[:, a] * two[:, b] + one[:, b] * two[:, a]) @ value
         shown = total.copy()
         for c in range(components):
-            a = rows.gather(rows._pulled_ortho * self.lever[:, [c]])  # (P, m)
+            a = rows.gathered(np.ascontiguousarray(self.lever[:, c]))  # (P, m)
             projected = self.v @ a
             shown[:, c] -= (projected**2).sum(axis=1)
             if len(pairs):

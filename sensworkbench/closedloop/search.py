@@ -179,26 +179,30 @@ def search(
     keep = keep or s.found
     scores = scanner.scores()
     flat = np.argsort(-scores.tail, axis=None)[: 40 * keep]
-    found: dict[tuple, ScoredTerm] = {}
+    chosen: dict[tuple, tuple[str, Regressor]] = {}
     for i in flat:
         k, g = np.unravel_index(i, scores.tail.shape)
         if scores.gain[k, g] < s.found_least * inflation:
             break
         regressor = scores.shapes[k]
         key = (int(g), *regressor.key)
-        if key in found:
+        if key in chosen:
             continue
         symbol = min((ALL_SYMBOLS[c] for c in groups[g]), key=lambda name, r=regressor: handicap(name, r))
-        found[key] = scored(rows, symbol, regressor, columns)
-        if len(found) >= 3 * keep:
+        chosen[key] = symbol, regressor
+        if len(chosen) >= 3 * keep:
             break
-    if not found:
+    if not chosen:
         return []
+    terms: dict[tuple, ScoredTerm] = {}
+    for key in sorted(chosen, key=lambda k: chosen[k][0]):  # one component after another: see `Rows.per_point`
+        terms[key] = scored(rows, *chosen[key], columns)
+    found = [terms[key] for key in chosen]
 
     def score(c: ScoredTerm) -> float:
         return c.gain / inflation - c.handicap
 
-    ranked = sorted(found.values(), key=lambda c: -score(c))
+    ranked = sorted(found, key=lambda c: -score(c))
     best = score(ranked[0])
     near = [c for c in ranked if score(c) > best - max(s.found_range, s.found_share * abs(best))][:keep]
     near += tried_beside(rows, list(dict.fromkeys(c.symbol for c in near))[: s.found_components], columns, names)

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+FORGOTTEN = 1e-18  # of an earlier state: less changes no digit
+
 
 def to_domain(v, domain) -> np.ndarray:
     """Map [lo, hi] to [-1, 1]."""
@@ -24,12 +26,15 @@ def lag(v, t, tau: float, state0: float = 0.0) -> np.ndarray:
     """
     v, t = np.asarray(v, dtype=float), np.asarray(t, dtype=float)
     keep = np.exp(-np.maximum(np.diff(t), 0.0) / tau)
-    state = float(state0)
-    y = [state] if len(v) else []
-    for k, x in zip(keep.tolist(), v[1:].tolist()):
-        state = x + (state - x) * k
-        y.append(state)
-    return np.array(y)
+    if not len(v):
+        return np.empty(0)
+    kept, y = np.r_[1.0, keep], np.r_[float(state0), (1 - keep) * v[1:]]  # y_i = kept_i y_(i-1) + what is new
+    apart = 1
+    while apart < len(y) and kept[apart:].max() > FORGOTTEN:  # each pass joins twice as many rows
+        y[apart:] += kept[apart:] * y[:-apart]
+        kept[apart:] *= kept[:-apart].copy()
+        apart *= 2
+    return y
 
 
 def hysteresis(v, width: float) -> np.ndarray:
