@@ -117,11 +117,40 @@ def graph(document: Document, found: Touching, guides: list[Guide], minor: set[i
         if "screw" in kinds:
             weight *= 0.4
         made.add(a, b, weight)
+    touching = {frozenset((c.one[0], c.other[0])) for c in found.contacts if c.touches}
     for bond in document.bonds:
-        if bond.kind != "slider" and frozenset((bond.one, bond.other)) not in sliding:
-            made.add(bond.one, bond.other, {"fixed": 4.0, "turning": 2.0, "placed": 1.0}[bond.kind])
+        pair = frozenset((bond.one, bond.other))
+        if bond.kind == "slider" or pair in sliding:
+            continue
+        if bond.kind == "placed" and pair not in touching:
+            continue  # what only places a part, and does not touch it, does not hold it
+        made.add(bond.one, bond.other, {"fixed": 4.0, "turning": 2.0}.get(bond.kind, bond.weight))
+    for bond in document.bonds:
+        if bond.kind == "placed" and not (made.edges.get(bond.one) and made.edges.get(bond.other)):
+            made.add(bond.one, bond.other, 0.05 * bond.weight)
+    _wheels(units, made, minor)
     _containers(units, made, minor)
     return made
+
+
+def _wheels(units, made: Graph, minor: set[int]) -> None:
+    """A wheel is held by the plate that its axle points at; spacers between the two are rarely drawn."""
+    plates = [n for n, u in enumerate(units) if n not in minor and u.hardware in ("", "block", "support")]
+    if not plates:
+        return
+    boxes = np.array([units[n].box for n in plates])
+    for n, unit in enumerate(units):
+        if unit.hardware != "wheel" or n in minor:
+            continue
+        box = unit.box
+        size, middle = box[3:] - box[:3], (box[3:] + box[:3]) / 2
+        k = int(np.argmin(size))
+        rest = [i for i in range(3) if i != k]
+        over = np.all((boxes[:, rest] <= middle[rest]) & (boxes[:, [i + 3 for i in rest]] >= middle[rest]), axis=1)
+        gap = np.maximum(0.0, np.maximum(boxes[:, k] - box[k + 3], box[k] - boxes[:, k + 3]))
+        near = np.where(over, gap, np.inf)
+        if near.min() < 1.5 * size.max():
+            made.add(n, plates[int(np.argmin(near))], 2.0)
 
 
 def _containers(units, made: Graph, minor: set[int]) -> None:

@@ -71,7 +71,8 @@ def _votes(document, reading, link, places, axes, up, said, slides, size) -> lis
                         "propose-evidence-contact", min(0.75, own[0].weight + 0.04 * len(own[1:4])), own[0].u, fields
                     )
                 )
-        votes += inner_guides(document, inner, outer, axes, size)
+        beam = "gantry" in roles_of(places, units, outer)  # its own rails are the next one's
+        votes += inner_guides(document, inner, outer, axes, size, (0.1, 0.4) if beam else (0.5, 0.2))
         votes += _room(document, inner, outer, axes)
     elif all(e.u is None or e.code != "propose-evidence-guide" for e in votes):
         for guide in link.guides:
@@ -108,10 +109,10 @@ def guide_evidence(document, guide: Guide) -> Evidence:
     return Evidence(f"propose-evidence-{guide.kind}", guide.weight, guide.u, fields)
 
 
-def inner_guides(document, inner, outer, axes, size) -> list[Evidence]:
+def inner_guides(document, inner, outer, axes, size, shares=(0.5, 0.2)) -> list[Evidence]:
     """Rods and rails inside the parts themselves: an object that is a whole sub-assembly shows where it slides."""
     votes = []
-    for body, share in ((outer, 0.5), (inner, 0.2)):
+    for body, share in zip((outer, inner), shares):
         lengths, label = np.zeros(3), ["", "", ""]
         for n in body:
             unit = document.units[n]

@@ -77,7 +77,7 @@ def weigh(state: State, answers=None) -> Found:
     places = {n: place_of(document, n, said, common) for n in range(len(document.units)) if n not in state.minor}
     if no_serial(state, made, answers):
         return made
-    up = upright(state, places, answers)
+    up, up_sure = upright(state, places)
     made.up, made.lathe = document.frame.outward(up), said.lathe
     reading = as_told(state, _best(state, places, up, answers), answers)
     if reading is None:
@@ -85,7 +85,7 @@ def weigh(state: State, answers=None) -> Found:
         ask_bodies(made, state)
         return made
     direct(document, reading, places, state.axes, up, said, state.found.slides, state.size)
-    lead(state, reading, places, up, made, answers)
+    lead(state, reading, places, (up, up_sure), made, answers)
     return made
 
 

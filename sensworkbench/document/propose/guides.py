@@ -13,7 +13,7 @@ import numpy as np
 
 from .facets import Solid
 from .reading import Document
-from .touching import PLAY, TOUCH, contact, freedoms, near_pairs, together
+from .touching import ALONG, PLAY, TOUCH, contact, freedoms, near_pairs, together
 
 RIGID = {"motor", "support", "bearing", "drive", "fastener", "loose"}  # these hold, or turn; nothing slides on them
 RAILS = {"rail", "shaft"}
@@ -163,7 +163,9 @@ def _between_units(units, axes, size: float, found: Touching) -> None:
             a, b = touch.one[0], touch.other[0]
             if a > b:
                 touch = type(touch)(touch.other, touch.one, -touch.normals, touch.areas, touch.boxes,
-                                    [(k[0], k[1], 1 - k[2], *k[3:]) for k in touch.bores])  # fmt: skip
+                                    [(k[0], k[1], 1 - k[2], *k[3:]) for k in touch.bores], touch.overlap, touch.gap,
+                                    touch.theirs, touch.ours,
+                                    [(k[0], k[1], k[2], k[4], k[3]) for k in touch.shafts])  # fmt: skip
                 a, b = b, a
             groups.setdefault((a, b), []).append(touch)
     for (a, b), group in groups.items():
@@ -237,19 +239,78 @@ def _wheel(units, touch, a, b, names, size, found) -> None:
         found.slides.append(slide)
 
 
-def _slide(touch, rail_first: bool, u, weight: float, kind: str, a, b) -> Slide | None:
-    u = u if u[np.argmax(np.abs(u))] > 0 else -u
+def _slide(touch, rail_first: bool, u, weight: float, kind: str, a, b, spans=None) -> Slide | None:
+    """The slide of b on a (or of a on b) along u.  spans : from where to where each of the two guides, if known."""
     rail, rider = (a, b) if rail_first else (b, a)
     keys = (touch.one, touch.other) if rail_first else (touch.other, touch.one)
-    (start, end), (low, high) = rail.extent(u), rider.extent(u)
+    one, other = spans or (a.extent(u), b.extent(u))
+    (start, end), (low, high) = (one, other) if rail_first else (other, one)
+    if u[np.argmax(np.abs(u))] < 0:
+        u, (start, end), (low, high) = -u, (-end, -start), (-high, -low)
     if end - start <= 0 or high <= start or low >= end:
         return None
     return Slide(*keys, u, weight, kind, max(low, start), min(high, end), start, end)
 
 
+def _spans(touch, u, a, b, names) -> tuple:
+    """From where to where along u each of two solids guides: its faces in contact, of a catalogue part all of it.
+
+    Castings and fusions are longer than their ways.
+    """
+    free = np.abs(touch.normals @ u) <= ALONG if len(touch.areas) else np.zeros(0, bool)
+    round_ = [s for s in touch.shafts if abs(s[0] @ u) > 0.999]
+    found = []
+    for solid, name, boxes, k in ((a, names[0], touch.ours, 3), (b, names[1], touch.theirs, 4)):
+        boxes = (
+            np.vstack([boxes[free], *(s[k][None] for s in round_)]) if len(boxes) else np.array([s[k] for s in round_])
+        )
+        if name in RAILS | RIDERS or not len(boxes):
+            found.append(solid.extent(u))
+            continue
+        middle, half = (boxes[:, 3:] + boxes[:, :3]) / 2 @ u, (boxes[:, 3:] - boxes[:, :3]) / 2 @ np.abs(u)
+        found.append((float((middle - half).min()), float((middle + half).max())))
+    return tuple(found)
+
+
+def _lines(touch, u) -> int:
+    """How many shafts along u, side by side, stand in bores."""
+    lines: list = []
+    for axis, point, radius, *_ in touch.shafts:
+        if abs(axis @ u) > 0.999:
+            across = point - u * (point @ u)
+            if all(np.linalg.norm(across - other) > 2 * radius for other in lines):
+                lines.append(across)
+    return len(lines)
+
+
+def _is_round(normals) -> bool:
+    """Whether walls are the facets of something round, as in a mesh."""
+    kinds: list = []
+    for normal in normals:
+        if not any(normal @ k > 0.996 for k in kinds):
+            kinds.append(normal)
+            if len(kinds) > 8:
+                return True
+    return False
+
+
+def _undercut(touch, u) -> bool:
+    """Whether what slides along u is held down by slanting walls, as in a dovetail."""
+    free = np.abs(touch.normals @ u) <= ALONG if len(touch.areas) else np.zeros(0, bool)
+    if free.sum() < 2:
+        return False
+    normals, areas = touch.normals[free], touch.areas[free]
+    if _is_round(normals):
+        return False
+    lean = normals @ normals[int(np.argmax(areas))]
+    slant = (lean < -0.15) & (lean > -0.95)
+    return bool(slant.any()) and float(areas[slant].sum()) > 0.05 * float(areas.sum())
+
+
 def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
     """The slide that a free direction means, with its weight, or None."""
-    (la, ha), (lb, hb) = a.extent(free.u), b.extent(free.u)
+    spans = _spans(touch, free.u, a, b, names)
+    (la, ha), (lb, hb) = spans
     long_first = ha - la >= hb - lb
     rider_first = names[0] in RIDERS and names[1] not in RIDERS
     if names[1] in RIDERS and names[0] not in RIDERS:
@@ -260,7 +321,7 @@ def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
         long_first = True
     elif names[1] in RAILS and names[0] not in RAILS:
         long_first = False
-    slide = _slide(touch, long_first, free.u, 0.0, "contact", a, b)
+    slide = _slide(touch, long_first, free.u, 0.0, "contact", a, b, spans)
     if slide is None:
         return None
     rail, rider = (a, b) if long_first else (b, a)
@@ -305,7 +366,17 @@ def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
     rider_length = slide.high - slide.low
     room = 1 - rider_length / slide.length
     bored = any(abs(k[0] @ free.u) > 0.999 for k in touch.bores)
-    if not free.guided or free.length < 0.03 * size or (bored and free.length < 2 * touch.bores[0][1]):
+    sides = touch.normals[np.abs(touch.normals @ free.u) <= ALONG] if len(touch.areas) else touch.normals
+    if not bored and _is_round(sides):  # a shaft in a bore, drawn as facets
+        bored = True
+    if _lines(touch, free.u) >= 2 and free.barred < 0.1 and cover < SEAT and slide.length > 0.1 * size:
+        slide.weight, slide.kind = 0.72, "bore"
+        return slide
+    undercut = _undercut(touch, free.u) and not bored
+    if undercut and room > 0.1 and free.length > 0.5 * free.width and free.length > 0.03 * size:
+        slide.weight, slide.kind = clear * min(0.72, 0.45 + 0.5 * room), "dovetail"
+        return slide
+    if not free.guided or free.length < 0.03 * size or (touch.bores and free.length < 2 * touch.bores[0][1]):
         return None
     if free.length < 1.2 * free.width and free.length < 0.12 * size:
         return None

@@ -13,14 +13,14 @@ from .found import LEAST, Axis, Found, State
 from .lettering import give_letters
 from .links import Link, Reading, label_of
 from .reading import Document
-from .rooting import swallow
+from .rooting import contract, swallow
 from .sides import branches_of, sides_of
 from .travel import travel_of
 
 
-def lead(state: State, reading: Reading, places, up, made: Found, answers) -> None:
+def lead(state: State, reading: Reading, places, upright, made: Found, answers) -> None:
     """Fill a proposal from a reading: axes, bodies, order, confidence, remarks, questions."""
-    document = state.document
+    document, (up, up_sure) = state.document, upright
     made.kind = "serial"
     links = [k for k in reading.links if k.confidence >= LEAST or k.told_letter]
     weak = [k for k in reading.links if k not in links]
@@ -31,6 +31,11 @@ def lead(state: State, reading: Reading, places, up, made: Found, answers) -> No
             made.remarks.append(Message("propose-weak", part=label_of(document, reading.bodies[link.outer])))
             swallow(reading, link)
     links = [k for k in reading.links if k in links]
+    for link in _doubled(
+        links
+    ):  # a quill in a head, a spindle in its bore: one axis of that direction is the machine's
+        contract(reading, link)
+        links.remove(link)
     if not links:
         ask_bodies(made, state)
         return
@@ -65,6 +70,8 @@ def lead(state: State, reading: Reading, places, up, made: Found, answers) -> No
             value = min(value, 0.9 if agree else 0.78)
         if len(made.axes) < 2 or (len(made.axes) == 2 and not state.said.lathe):
             value = min(value, 0.7)
+        if up_sure < 0.25 and reading.source != "joints" and not state.said.lathe:
+            value = min(value, 0.75)  # which axis is Z is not clear
         axis.confidence = round(float(value), 3)
     disputed = _disputed(document, places, made)
     if disputed:
@@ -75,6 +82,21 @@ def lead(state: State, reading: Reading, places, up, made: Found, answers) -> No
     if answers.get("enough"):
         made.complete = True
     ask(state, reading, made, sure, answers)
+
+
+def _doubled(links: list[Link]) -> list[Link]:
+    """The weaker of every two links along one direction, unless a joint or a person says that it is an axis."""
+    weak: list[Link] = []
+
+    def strength(link: Link) -> float:
+        return max((e.weight for e in link.evidence if e.u is not None and abs(e.u @ link.u) > 0.9), default=0.0)
+
+    for link in sorted(links, key=strength):
+        stated = link.bond is not None or link.told_letter or link.told is not None
+        others = [k for k in links if k is not link and k not in weak]
+        if not stated and any(abs(k.u @ link.u) > 0.9 for k in others):
+            weak.append(link)
+    return weak
 
 
 def _depth(reading, link) -> int:

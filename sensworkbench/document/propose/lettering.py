@@ -22,7 +22,8 @@ def give_letters(state: State, reading: Reading, links, places, up) -> None:
         return
     cost = {}
     z = _spindle(state, places) if state.said.lathe else up
-    z = up if z is None else z
+    if z is None:  # a lathe whose spindle is not seen: the carriage runs along it, the cross slide on the carriage
+        z = next((k.u for k in links if any(m.inner == k.outer for m in links)), up)
     level = [a for a in state.axes if abs(a @ z) < 0.5]
     level.sort(key=lambda a: -abs(a[0]) - 0.1 * abs(a[1]))
     target = {"Z": z, "X": level[0], "Y": level[1] if len(level) > 1 else np.cross(z, level[0])}

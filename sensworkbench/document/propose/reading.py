@@ -98,6 +98,7 @@ class Bond:
     stands: float = 0.0
     limits: tuple[float, float] | None = None
     joint: Place | None = None
+    weight: float = 1.0  # of what only places: how firmly it may hold
 
 
 @dataclass
@@ -380,10 +381,18 @@ def _limit(obj, end: str):
     return float(getattr(value, "Value", value))
 
 
+CONSTRAINTS = (  # of a2plus: how firmly each kind holds; one that only turns a part to lie parallel holds nothing
+    ("parallel", 0.05), ("angle", 0.05), ("normal", 0.05), ("circular", 1.0), ("center", 0.6), ("point", 0.6),
+    ("axial", 0.3), ("axis", 0.3), ("plane", 0.4),
+)  # fmt: skip
+
+
 def _constraint(obj, made: Document, by_name) -> None:
     """A constraint of a2plus or of the older Assembly 2: two parts, of which it takes some freedom."""
     if str(obj.Name).endswith("_mirror") or getattr(obj, "Suppressed", False):
         return
     one, other = by_name.get(str(obj.Object1)), by_name.get(str(obj.Object2))
     if one and other and one[0] != other[0]:
-        made.bonds.append(Bond(one[0], other[0], "placed", obj.Label))
+        said = f"{getattr(obj, 'Type', '')} {obj.Name}".lower()
+        weight = next((w for word, w in CONSTRAINTS if word in said), 0.5)
+        made.bonds.append(Bond(one[0], other[0], "placed", obj.Label, weight=weight))

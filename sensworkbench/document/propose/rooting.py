@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from . import words
 from .found import State
 from .links import Link, Reading
@@ -37,10 +39,12 @@ def bed_scores(document: Document, bodies, places, up, said: Words, pinned: set[
     lows = [min((units[n].extent(up)[0] for n in body), default=1e9) for body in bodies]
     highs = [max((units[n].extent(up)[1] for n in body), default=-1e9) for body in bodies]
     bulk = [sum(units[n].bulk for n in body) for body in bodies]
+    spread = [_footprint(units, body, up) for body in bodies]
     floor, height = min(lows), max(1e-6, max(highs) - min(lows))
     scores = []
     for b, body in enumerate(bodies):
         score = 1.0 * bulk[b] / max(1e-9, sum(bulk)) + 0.5 * (1 - (lows[b] - floor) / height)
+        score += 0.3 * spread[b] / max(1e-9, max(spread))
         weights = {n: units[n].bulk for n in body}
         total = sum(weights.values()) or 1.0
         fixed = sum(w for n, w in weights.items() if places[n][0] in words.FIXED) / total
@@ -120,6 +124,17 @@ def _prune(state: State, reading: Reading, places, answers) -> None:
         swallow(reading, drop)
 
 
+def contract(reading: Reading, link: Link) -> None:
+    """What moves along a link belongs to what carries it, and carries on what it carried."""
+    for below in reading.links:
+        if below.inner == link.outer:
+            below.inner = link.inner
+    reading.bodies[link.inner] |= reading.bodies[link.outer]
+    reading.bodies[link.outer] = set()
+    reading.links.remove(link)
+    reading.merged.append((link.outer, link.inner))
+
+
 def swallow(reading: Reading, link: Link) -> None:
     """What moves along a link belongs to what carries it."""
     for below in [k for k in reading.links if k.inner == link.outer]:
@@ -128,3 +143,13 @@ def swallow(reading: Reading, link: Link) -> None:
     reading.bodies[link.outer] = set()
     reading.links.remove(link)
     reading.merged.append((link.outer, link.inner))
+
+
+def _footprint(units, body, up) -> float:
+    """Area of the box around a body, seen from above, mm²."""
+    boxes = np.array([units[n].box for n in body])
+    if not len(boxes):
+        return 0.0
+    size = boxes[:, 3:].max(0) - boxes[:, :3].min(0)
+    across = size[np.abs(up) < 0.5]
+    return float(np.prod(across)) if len(across) else 0.0

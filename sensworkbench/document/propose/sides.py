@@ -48,7 +48,7 @@ def sides_of(state: State, reading: Reading, branches, places, up, answers):
         value -= 1.0 * bool(roles & {"work", "table", "knee"}) + (0.5 if not state.said.lathe else 0.0) * bool(
             roles & {"saddle"}
         )
-        value += 0.35 * any(abs(k.u @ up) > 0.9 for k in branch) * (not state.said.lathe)
+        value += 0.25 * any(abs(k.u @ up) > 0.9 for k in branch) * (not state.said.lathe)
         return value
 
     one, two = score(branches[0]), score(branches[1])
@@ -58,8 +58,14 @@ def sides_of(state: State, reading: Reading, branches, places, up, answers):
         if one >= -0.2 or (len(branches[0]) > 2 and one >= -0.5):
             return [], branches[0], 0.9 if one > 0.5 else 0.6
         return branches[0], [], 0.85 if one < -0.7 else 0.6
+    if not state.said.lathe:  # the tool is above the work
+        heights = [_height(document, reading.bodies[b[-1].outer], up) for b in branches]
+        one, two = one + 0.4 * (heights[0] > heights[1]), two + 0.4 * (heights[1] > heights[0])
     sure = min(1.0, 0.5 + 0.4 * abs(one - two))
-    if one == two:
-        tops = [max((document.units[n].extent(up)[1] for n in bodies(b)), default=0.0) for b in branches]
-        one, two = tops
     return (branches[1], branches[0], sure) if one > two else (branches[0], branches[1], sure)
+
+
+def _height(document, body, up) -> float:
+    """Height of the middle of a body, mm."""
+    ends = [document.units[n].extent(up) for n in body]
+    return (min(e[0] for e in ends) + max(e[1] for e in ends)) / 2 if ends else 0.0

@@ -27,6 +27,7 @@ def speech(document: Document, title: str = "") -> Words:
     said = " | ".join(texts.values())
     lathe = len({m.group(0) for m in words.LATHE.finditer(said)}) >= 2 or bool(
         words._words("lathe|drehbank|drehmaschine|modulathe").search(said))  # fmt: skip
+    lathe = lathe or bool(words.CROSS_SLIDE.search(said)) and not words.MILL.search(said)
     mill = sum(words.role(label) in ("gantry", "table") for label in labels)
     rotary = tuple(sorted(label for label, text in texts.items() if words.ROTARY.search(text)))[:6]
     return Words(

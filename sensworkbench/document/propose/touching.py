@@ -34,6 +34,11 @@ class Contact:
     bores: list = field(default_factory=list)
     overlap: float = 0.0
     gap: float = 0.0
+    ours: np.ndarray = field(default_factory=lambda: np.zeros((0, 6)))  # boxes of the whole faces in contact: of `one`
+    theirs: np.ndarray = field(default_factory=lambda: np.zeros((0, 6)))  # and of `other`, in the order of `normals`
+    shafts: list = field(
+        default_factory=list
+    )  # (axis, point, radius, box of the face of `one`, of `other`) of each bore
 
     @property
     def area(self) -> float:
@@ -56,6 +61,9 @@ def together(contacts: list[Contact]) -> Contact:
         np.concatenate([c.areas for c in contacts]),
         np.vstack([c.boxes for c in contacts]),
         [b for c in contacts for b in c.bores],
+        ours=np.vstack([c.ours for c in contacts]),
+        theirs=np.vstack([c.theirs for c in contacts]),
+        shafts=[s for c in contacts for s in c.shafts],
     )
 
 
@@ -114,6 +122,7 @@ def _flats(a, b, window, made: Contact, allowed: float) -> None:
         made.normals = np.vstack([made.normals, a.planes[ia[i]]])
         made.areas = np.append(made.areas, area)
         made.boxes = np.vstack([made.boxes, np.hstack([np.minimum(low, high), np.maximum(low, high)])])
+        made.ours, made.theirs = np.vstack([made.ours, p]), np.vstack([made.theirs, q])
 
 
 def _largest(solid, numbers):
@@ -143,6 +152,7 @@ def _rounds(a, b, window, made: Contact, allowed: float) -> None:
         if length < 1.0:
             continue
         inner = 0 if a.outside[i] else 1
+        made.shafts.append((axis, a.points[i], float(a.radii[i]), p, q))
         known = next((n for n, k in enumerate(made.bores) if abs(k[0] @ axis) > 0.9995), None)
         entry = (axis, float(a.radii[i]), inner, 3.0 * float(a.radii[i]) * length, np.hstack([low, high]))
         if known is None:

@@ -63,7 +63,7 @@ ROLES = (  # tried in this order; the first that fits is taken
                     "fraes ?motor|fraese|fraeser|end ?mill|cutter|cutting tool|tools?|werkzeuge?|fresa|outil|utensile|herramienta|"
                     "collet|spannzange|nozzle|duese|hot ?end|extruder|laser|dremel|makita|kress|torch|plasma|pen|pen ?holder|"
                     "主轴|主軸|スピンドル|주축|공구|刀具|工具|zhuzhou|effector|probe|messtaster")),
-    ("carriage", _words("carriages?|schlitten|schlittenplatte|chariots?|carros?|carrello|carrelli|wagen|trolley|slides?|"
+    ("carriage", _words("carriages?|carts?|schlitten|schlittenplatte|chariots?|carros?|carrello|carrelli|wagen|trolley|slides?|"
                         "slitta|캐리지|왕복대|滑台|滑座|溜板|キャリッジ|拖板|huatai|huazuo|tuoban|laufwagen|support schlitten|"
                         "slide ?plate")),
     ("table", _words("tables?|work ?table|tisch|maschinentisch|tavola|mesa|plateau|bancale|테이블|工作台|テーブル|gongzuotai|"
@@ -87,6 +87,12 @@ _LETTER = re.compile(
 )
 LATHE = _words("lathe|drehbank|drehmaschine|torno|tornio|선반|旋盘|旋盤|车床|chechuang|senban|tail ?stock|reitstock|tool ?post|"
                "stahlhalter|tour|chuck|drehfutter|turning")  # fmt: skip
+CROSS_SLIDE = _words(
+    "cross ?slide|planschlitten|querschlitten|chariot transversal|carro transversal|slitta trasversale|横滑板|中拖板"
+)
+MILL = _words(
+    "table|tisch|gantry|portal|column|staender|knee|konsole|quill|mill|milling|fraes\\w*|router|spindle head|mesa|tavola|工作台|立柱"
+)
 PRINTER = _words("hot ?end|extruder|nozzle|heat(ed)? ?bed|printer|drucker|filament|build ?plate|druckbett|print ?head|imprimante|"
                  "heizbett|e 3 d|bowden")  # fmt: skip
 DELTA = _words("delta|kossel|effector|rostock|diagonal rod|hexapod|stewart|tripod|parallel robot|tricept|hexaglide")
