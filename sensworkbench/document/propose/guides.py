@@ -272,15 +272,29 @@ def _spans(touch, u, a, b, names) -> tuple:
     return tuple(found)
 
 
-def _lines(touch, u) -> int:
-    """How many shafts along u, side by side, stand in bores."""
-    lines: list = []
-    for axis, point, radius, *_ in touch.shafts:
-        if abs(axis @ u) > 0.999:
-            across = point - u * (point @ u)
+def _shafts(touch, free) -> bool:
+    """Whether several shafts side by side stand in bores, and more so than faces across bar the way."""
+    lines, area = [], 0.0
+    for axis, point, radius, ours, theirs in touch.shafts:
+        if abs(axis @ free.u) > 0.999:
+            across = point - free.u * (point @ free.u)
+            shared = np.minimum(ours[3:], theirs[3:]) - np.maximum(ours[:3], theirs[:3])
+            area += 3.0 * radius * max(0.0, float(shared @ np.abs(free.u)))
             if all(np.linalg.norm(across - other) > 2 * radius for other in lines):
                 lines.append(across)
-    return len(lines)
+    return len(lines) >= 2 and free.barred * touch.area < 0.6 * area
+
+
+def _ways(touch, u, rail_first: bool, size: float) -> bool:
+    """Whether the rail's faces in contact are long and narrow along u: ways, even where two of them are far apart."""
+    free = np.abs(touch.normals @ u) <= ALONG if len(touch.areas) else np.zeros(0, bool)
+    boxes = (touch.ours if rail_first else touch.theirs)[free]
+    if len(boxes) < 2:
+        return False
+    sizes = boxes[:, 3:] - boxes[:, :3]
+    lengths = sizes @ np.abs(u)
+    widths = (sizes * (1 - np.abs(u))).max(1)
+    return int(((lengths > SLENDER * widths) & (lengths > 0.08 * size)).sum()) >= 2
 
 
 def _is_round(normals) -> bool:
@@ -329,6 +343,9 @@ def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
     cover = (slide.high - slide.low) / slide.length
     bar, along = shape_of(rail, size)
     is_bar = bar and abs(along @ free.u) > 0.99
+    if _shafts(touch, free) and not rail_name and not rider_name and cover < SEAT and slide.length > 0.1 * size:
+        slide.weight, slide.kind = 0.72, "bore"
+        return slide
     if free.barred > 0.25:
         return None
     clear = 1.0 if free.barred < 0.02 else 0.6
@@ -369,16 +386,13 @@ def _weighed(units, touch, a, b, names, free, size: float) -> Slide | None:
     sides = touch.normals[np.abs(touch.normals @ free.u) <= ALONG] if len(touch.areas) else touch.normals
     if not bored and _is_round(sides):  # a shaft in a bore, drawn as facets
         bored = True
-    if _lines(touch, free.u) >= 2 and free.barred < 0.1 and cover < SEAT and slide.length > 0.1 * size:
-        slide.weight, slide.kind = 0.72, "bore"
-        return slide
     undercut = _undercut(touch, free.u) and not bored
     if undercut and room > 0.1 and free.length > 0.5 * free.width and free.length > 0.03 * size:
         slide.weight, slide.kind = clear * min(0.72, 0.45 + 0.5 * room), "dovetail"
         return slide
     if not free.guided or free.length < 0.03 * size or (touch.bores and free.length < 2 * touch.bores[0][1]):
         return None
-    if free.length < 1.2 * free.width and free.length < 0.12 * size:
+    if free.length < 1.2 * free.width and free.length < 0.12 * size and not _ways(touch, free.u, long_first, size):
         return None
     slide.kind = "dovetail" if free.walls >= 3 else "channel"
     slide.weight = clear * min(0.66, 0.25 + 0.6 * max(0.0, room) + 0.06 * min(free.walls, 4))

@@ -25,7 +25,7 @@ def upright(state: State, places) -> tuple[np.ndarray, float]:
                 hit = np.abs(axes @ e.u) > 0.9
                 score += (0.9 if name == "Z" else -0.6) * hit * e.weight * 2
     if not state.said.lathe:
-        score += 0.5 * _tool_axis(document, places, axes) + 0.5 * _lying(document, axes)
+        score += 0.65 * _tool_axis(document, places, axes) + 0.65 * _lying(document, axes)
     order = np.argsort(-score)
     up = axes[int(order[0])]
     sure = 1.0 - float(score[order[1]]) / max(1e-9, float(score[order[0]]))
