@@ -294,7 +294,8 @@ def _ways(touch, u, rail_first: bool, size: float) -> bool:
     sizes = boxes[:, 3:] - boxes[:, :3]
     lengths = sizes @ np.abs(u)
     widths = (sizes * (1 - np.abs(u))).max(1)
-    return int(((lengths > SLENDER * widths) & (lengths > 0.08 * size)).sum()) >= 2
+    narrow = (lengths > SLENDER * widths) & (widths < 0.05 * size)
+    return int((narrow & (lengths > 0.08 * size)).sum()) >= 2
 
 
 def _is_round(normals) -> bool:

@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-import math
-
 import FreeCAD as App
 import Part
 
@@ -102,23 +100,20 @@ def turned(doc, kind: Kind, folder=None):
         holder = part(doc, name, top)
         for piece in kind.of(body):
             add(doc, piece.label, piece.shape, holder)
-    top.Placement = App.Placement(V(300, -200, 50), App.Rotation(V(0, 0, 1), 31))
+    top.Placement = App.Placement(V(300, -200, 50), TURNS["turned"])
 
 
 def baked(doc, kind: Kind, folder=None):
     """Parts whose own coordinates are askew, as a STEP file of a turned assembly has them."""
     for piece in kind.pieces:
-        shape = piece.shape.copy()
-        shape.rotate(V(0, 0, 0), V(0.2, 0.1, 1), 27)
-        matrix = App.Matrix()
-        shape = shape.transformGeometry(matrix) if hasattr(shape, "transformGeometry") else shape
-        add(doc, piece.label, shape)
+        matrix = App.Placement(V(), TURNS["baked"]).toMatrix()
+        add(doc, piece.label, piece.shape.transformGeometry(matrix))
 
 
 def yup(doc, kind: Kind, folder=None):
     """A tree with y upwards."""
     tree(doc, kind)
-    next(o for o in doc.Objects if o.Label == "Machine").Placement.Rotation = App.Rotation(V(1, 0, 0), -90)
+    next(o for o in doc.Objects if o.Label == "Machine").Placement.Rotation = TURNS["yup"]
 
 
 def splines(doc, kind: Kind, folder=None):
@@ -223,10 +218,6 @@ def assembly4(doc, kind: Kind, folder=None):
 WRITERS = {f.__name__: f for f in (
     flat, numbers, tree, german, nameless_tree, compound, lumps, fusions, links, documents, turned, baked, yup, splines, meshes,
     mirrored, doubled, a2plus, assembly4)}  # fmt: skip
-NAMELESS = {"numbers", "nameless_tree", "compound", "fusions"}
-
-
-def angle(u, v) -> float:
-    """Angle between two lines, degrees."""
-    c = abs(sum(a * b for a, b in zip(u, v)))
-    return math.degrees(math.acos(min(1.0, c)))
+TURNS = {  # how a writer turns the machine
+    "turned": App.Rotation(V(0, 0, 1), 31), "baked": App.Rotation(V(0.2, 0.1, 1), 27), "yup": App.Rotation(V(1, 0, 0), -90),
+}  # fmt: skip
