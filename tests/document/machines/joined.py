@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# ruff: noqa: E501
 """The machines of `kinds` as assemblies of FreeCAD's own Assembly workbench, as unlike people join them."""
 
 from __future__ import annotations
