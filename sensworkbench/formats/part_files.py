@@ -8,17 +8,25 @@ from pathlib import Path
 
 import numpy as np
 
+from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.toolpath import STEP_MM, ToolPath
-from sensworkbench.core.units import mm
-from sensworkbench.studies.part import FeatureRequest, PartRequest, PartResult, part_study
+from sensworkbench.core.units import mm, um
+from sensworkbench.studies.part import FeatureRequest, PartRequest, PartResult, features_on, part_study
+from sensworkbench.studies.part_correct import LIMIT_MM, TOLERANCE_MM, correction, known_uncertainty, value_under
 from sensworkbench.studies.part_path import RAPID_MM_MIN, Conditions, of_moves, of_points
+from sensworkbench.studies.remaining import remaining
 
 from . import csv_table, features_json, gcode, json_text, part_json, path_csv, study_files
+from .exchange import known
+from .exchange.base import AxisTables, Components
+from .file_sets import staged_file
+from .files import write_bytes
 
 NAMES = ("part.json", "features.csv", "points.csv", "report.html")
 TABLES = (".csv", ".tsv", ".txt")
+MOST_TABLED = 3000  # points at which tables of controllers are judged
 
 
 @dataclass(frozen=True)
@@ -34,6 +42,9 @@ class Options:
     step: float = STEP_MM
     errors: str | None = None
     rapid: float = RAPID_MM_MIN
+    correct: str | None = None
+    correct_tolerance: float = TOLERANCE_MM
+    correct_limit: float = LIMIT_MM
 
 
 @dataclass(frozen=True)
@@ -125,6 +136,64 @@ def judged(job: Job, progress=None) -> PartResult:
     return part_study(job.machine, job.path, job.request, progress)
 
 
+def corrected(job: Job) -> tuple[bytes, dict]:
+    """(the corrected program, what part.json says of it)."""
+    if job.program is None:
+        raise Refused("part-correct-table", "--correct")
+    if job.options.errors == "tolerances":
+        raise Refused("part-correct-errors", "--correct")
+    program, path, options = job.program, job.path, job.options
+    labels = {name: np.unique(path.move[rows]) for name, rows in path.labels.items()}
+    stays = gcode.kept(program)
+    found = correction(
+        job.machine, program.moves, stays, job.conditions, options.correct_tolerance, options.correct_limit, labels,
+        options.rapid,
+    )  # fmt: skip
+    cuts = found.path.cutting
+    rms = lambda e: part_json.number(um(np.sqrt((e[cuts] ** 2).sum(axis=1).mean())))  # noqa: E731
+    features = []
+    for f in features_on(job.machine, found.path, job.request.features):
+        sizes = [part_json.number(um(value_under(f, found.path, e))) for e in (found.before, found.after)]
+        features.append({"name": f.name, "before_um": sizes[0], "after_um": sizes[1]})
+    said = {
+        "file": Path(options.correct or "").name,
+        "tolerance_um": part_json.number(um(options.correct_tolerance)),
+        "limit_um": part_json.number(um(options.correct_limit)),
+        "blocks": len(np.unique(program.moves.block[~stays])),
+        "segments": found.pieces,
+        "largest_um": part_json.number(um(found.largest)),
+        "clipped": found.clipped,
+        "before_um": rms(found.before),
+        "after_um": rms(found.after),
+        "uncertainty_um": part_json.number(um(known_uncertainty(job.machine, path))),
+        "tables": _tables(job),
+        "features": features,
+    }
+    return gcode.written(program, found.points), said
+
+
+def _tables(job: Job) -> list[dict]:
+    """What the tables of each controller would leave at the cutting points, as rms beside a constant shift."""
+    path = job.path
+    rows = np.flatnonzero(path.cutting)
+    rows = rows[np.unique(np.linspace(0, len(rows) - 1, MOST_TABLED).astype(int))]
+    columns = {name: values[rows] for name, values in path.columns.items()}
+    none = np.full((len(rows), 3), np.nan)
+    places = Readings.from_vectors(path.q[rows], none, columns, tool_offset=path.contact[rows])
+    found = []
+    for name in known.names():
+        form = known.get(name)
+        if not (form.writes and isinstance(form, (AxisTables, Components))):
+            continue
+        try:
+            left = remaining(job.machine, form, places)
+        except Refused:
+            continue
+        found.append({"format": name, "before_um": part_json.number(left.rms_before_um),
+                      "after_um": part_json.number(left.rms_after_um)})  # fmt: skip
+    return found
+
+
 def files(job: Job, result: PartResult, language: str = "en", correction: dict | None = None) -> dict:
     """Name -> text of the files of a part."""
     from . import part_html
@@ -140,5 +209,14 @@ def files(job: Job, result: PartResult, language: str = "en", correction: dict |
 
 
 def write(folder, job: Job, result: PartResult, language: str = "en") -> list[Path]:
-    """Write the files of a part as one set; returns their paths."""
-    return study_files.write_set(folder, "part", files(job, result, language))
+    """Write the files of a part as one set, and the corrected program where one is asked for; returns their paths."""
+    if job.options.correct is None:
+        return study_files.write_set(folder, "part", files(job, result, language))
+    program, said = corrected(job)
+    target, made = Path(job.options.correct), files(job, result, language, said)
+    if target.parent.resolve() == Path(folder).resolve():
+        return study_files.write_set(folder, "part", made | {target.name: program})
+    with staged_file(target, "part --correct") as work:
+        paths = study_files.write_set(folder, "part", made)
+        write_bytes(work, program)
+    return [*paths, target]

@@ -48,6 +48,7 @@ class _Report:
             self.summary(),
             self.features(),
             *(self.feature(f, g) for f, g in zip(data["features"], self.result.features)),
+            self.corrected(),
             self.path(),
             self.outside(),
             self.unread(),
@@ -112,6 +113,29 @@ class _Report:
         parts.append(html.paragraph(where, soft=True))
         title = f"{data['name']}: {data['kind']} {micrometres(data['value_um'])} µm"
         return html.section(title, *parts)
+
+    def corrected(self) -> Html:
+        words, said = self.words, self.data.get("correction")
+        if not said:
+            return Html("")
+        fields = {k: said[k] for k in ("file", "blocks", "segments")}
+        sizes = {k: said[f"{k}_um"] for k in ("tolerance", "largest", "before", "after")}
+        parts = [html.paragraph(words("part-corrected-words", **fields, **sizes))]
+        if said["uncertainty_um"] is not None:
+            parts.append(html.paragraph(words("part-corrected-fitted", u=said["uncertainty_um"])))
+        if said["clipped"]:
+            text = words("part-corrected-clipped", count=said["clipped"], limit=said["limit_um"])
+            parts.append(html.note(text))
+        columns = [words("part-column-feature"), "#" + words("part-column-before") + " µm",
+                   "#" + words("part-column-after") + " µm"]  # fmt: skip
+        rows = [[f["name"], micrometres(f["before_um"]), micrometres(f["after_um"])] for f in said["features"]]
+        parts += [html.table(columns, rows)] if rows else []
+        if said["tables"]:
+            columns = [words("part-column-format"), "#" + words("part-column-left") + " µm"]
+            rows = [[t["format"], micrometres(t["after_um"])] for t in said["tables"]]
+            title = words("part-corrected-tables", before=said["tables"][0]["before_um"])
+            parts.append(html.table(columns, rows, title))
+        return html.section(words("part-corrected"), *parts)
 
     def path(self) -> Html:
         words = self.words

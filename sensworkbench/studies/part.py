@@ -113,10 +113,8 @@ def part_study(
     tell = progress or (lambda part: True)
     errors = errors_of(machine, path, request.errors)
     at_points = _at_points(errors, path, request.level, lambda part: _tell(tell, 0.5 * part))
-    surfaces = _Surfaces(machine, path)
     found, remarks = [], []
-    for i, asked in enumerate(request.features):
-        made = _feature(surfaces, asked, request.features)
+    for i, made in enumerate(features_on(machine, path, request.features)):
         rows, others = (None if s is None else path.labels[s.name] for s in (made.surface, made.datum))
         found.append(evaluate(made, rows, others, errors))
         _tell(tell, 0.5 + 0.5 * (i + 1) / len(request.features))
@@ -167,6 +165,12 @@ class _Surfaces:
             made = None if element is None else elements.made(element, points, known, f"feature {name!r}", kind)
             self._made[label, element] = surface(label, points, known, made)
         return self._made[label, element]
+
+
+def features_on(machine: Machine, path: ToolPath, asked: Sequence[FeatureRequest]) -> list[Feature]:
+    """The features of a path, with their surfaces."""
+    surfaces = _Surfaces(machine, path)
+    return [_feature(surfaces, one, asked) for one in asked]
 
 
 def _feature(surfaces: _Surfaces, asked: FeatureRequest, others: Sequence[FeatureRequest]) -> Feature:

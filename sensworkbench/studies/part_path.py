@@ -50,9 +50,12 @@ def of_moves(
     step: float = STEP_MM,
     most: int = MOST_POINTS,
     rapid: float = RAPID_MM_MIN,
+    number: np.ndarray | None = None,
 ) -> tuple[ToolPath, float]:
-    """(path, step used) of moves.  features : name -> rows of the moves that make it.  rapid : mm/min, for the time."""
-    number, step = counts(moves, step, most)
+    """(path, step used) of moves.  features : name -> rows of the moves that make it.  rapid : mm/min, for the time.
+    number : (M,) intervals of each move, instead of those of `step`."""
+    if number is None:
+        number, step = counts(moves, step, most)
     of_feature = {n: np.asarray(sorted(rows), dtype=int) for n, rows in (features or {}).items()}
     fresh = [int(r) for rows in of_feature.values() for r in rows[np.diff(rows, prepend=-5) != 1]]
     found = sample(moves, number, rapid, [r for r in fresh if moves.kind[r] != RAPID])

@@ -8,7 +8,7 @@ from sensworkbench.core.refusal import Refused
 from .. import common
 
 HELP = "what a part will look like, and which component makes it so"
-FILES = "`part.json`, `features.csv`, `points.csv`, `report.html`"
+FILES = "`part.json`, `features.csv`, `points.csv`, `report.html`; a corrected program"
 
 
 def add(parser) -> None:
@@ -32,12 +32,19 @@ def add(parser) -> None:
     parser.add_argument("--errors", choices=("fitted", "tolerances"), help=text)
     text = "speed of rapids, mm/min, for the time (default 10000)"
     parser.add_argument("--rapid", metavar="MM_MIN", type=common.positive, default=10_000.0, help=text)
+    text = "write the program with its points moved against the predicted error"
+    parser.add_argument("--correct", metavar="OUT.nc", help=text)
+    text = "largest shift of a point, um (default 100)"
+    parser.add_argument("--correct-limit", metavar="UM", type=common.positive, default=100.0, help=text)
+    text = "by which lines may miss arcs and the corrected path, um (default 0.2)"
+    parser.add_argument("--correct-tolerance", metavar="UM", type=common.positive, default=0.2, help=text)
     common.add_language(parser)
 
 
 def run(arguments) -> int:
     from pathlib import Path
 
+    from sensworkbench.core.units import mm
     from sensworkbench.formats import part_files
 
     machine = common.load_machine(arguments.machine)
@@ -45,6 +52,8 @@ def run(arguments) -> int:
     given = [arguments.machine, arguments.path, arguments.features, arguments.conditions]
     for name in part_files.NAMES:
         common.keep_inputs(folder / name, *(g for g in given if g))
+    if arguments.correct:
+        common.keep_inputs(arguments.correct, *(g for g in given if g))
     options = part_files.Options(
         features=arguments.features,
         conditions=arguments.conditions,
@@ -55,6 +64,9 @@ def run(arguments) -> int:
         step=arguments.step,
         errors=arguments.errors,
         rapid=arguments.rapid,
+        correct=arguments.correct,
+        correct_tolerance=mm(arguments.correct_tolerance),
+        correct_limit=mm(arguments.correct_limit),
     )
     try:
         job = part_files.read(machine, arguments.path, options)
