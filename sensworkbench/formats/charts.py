@@ -285,3 +285,52 @@ def arrows(q, series: Mapping[str, np.ndarray], unit: str = "µm", limit: int = 
                 _grid(ax, "both")
             row[0].set_title(name, loc="left", fontsize=10)
     return drawing.svg
+
+
+def parallel_chart(
+    names: Sequence[str],
+    rows: Sequence[Sequence[float]],
+    marked: Sequence[Sequence[float]],
+    all_words: str,
+    marked_words: str,
+    alt: str = "",
+) -> Html | None:
+    """Parallel coordinates: one line per row over one upright axis per name, each on its own scale; `marked` on top.
+
+    Returns SVG, or None without matplotlib or without rows.
+    """
+    if not available() or not len(rows) or len(names) < 2:
+        return None
+    from matplotlib.collections import LineCollection
+    from matplotlib.lines import Line2D
+
+    every = np.array([*rows, *marked], dtype=float)
+    low, high = every.min(axis=0), every.max(axis=0)
+    span = np.where(high > low, high - low, 1.0)
+    x = np.arange(len(names))
+
+    def lines(values):
+        scaled = (np.array(values, dtype=float) - low) / span
+        return [np.column_stack([x, np.where(high > low, row, 0.5)]) for row in scaled]
+
+    with _Drawing(8.6, 3.6, alt) as drawing:
+        ax = drawing.axes()
+        ax.add_collection(LineCollection(lines(rows), colors=SERIES[0], alpha=0.25, linewidths=0.7))
+        if len(marked):
+            ax.add_collection(LineCollection(lines(marked), colors=SERIES[1], alpha=0.9, linewidths=1.3))
+        for i in x:
+            ax.axvline(i, color=INK, linewidth=0.6, alpha=0.6)
+            ax.text(i, 1.02, f"{high[i]:.4g}", ha="center", va="bottom", fontsize=8)
+            ax.text(i, -0.02, f"{low[i]:.4g}", ha="center", va="top", fontsize=8)
+        ax.set_xlim(-0.3, len(names) - 0.7)
+        ax.set_ylim(-0.1, 1.1)
+        ax.set_xticks(x, _cut(names, 22), fontsize=8.5)
+        ax.set_yticks([])
+        for side in ("left", "bottom"):
+            ax.spines[side].set_visible(False)
+        ax.tick_params(axis="x", length=0)
+        marks = [Line2D([], [], color=SERIES[0], label=all_words)]
+        if len(marked):
+            marks.append(Line2D([], [], color=SERIES[1], label=marked_words))
+        ax.legend(handles=marks, **_ABOVE)
+    return drawing.svg

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The sweep study: one machine in many variants, each judged alone, in the order of the design.
 
-A variant is a machine file with some of its numbers replaced.  Variants do not know of each other, so that any executor
+A variant is a machine file with some of its numbers replaced, or a FreeCAD document with other values in cells and
+properties.  Variants do not know of each other, so that any executor
 may judge them; results come back in the order of the design, whoever judged them, and failures stand in their place.
 """
 
@@ -29,7 +30,8 @@ CHUNK = 16  # variants that a worker judges at a time
 AHEAD = 4  # chunks per worker that wait: memory stays flat, and no worker waits
 _WORST_GRID = 3
 
-Reader = Callable[[dict], Machine]
+Judged = tuple[list[float] | None, str]  # outputs, or None and what was refused
+Judge = Callable[[Sequence[tuple[float, ...]]], list[Judged]]
 
 
 @dataclass(frozen=True)
@@ -46,7 +48,9 @@ class Parameter:
 @dataclass(frozen=True)
 class Sweep:
     """data : the machine's file, version 2, as plain data.  parameters.  design : one of DESIGNS.  count, seed : of a
-    sampled one.  outputs : names of what is judged: OUTPUTS, or INDICES with a component or error, such as share.X."""
+    sampled one.  outputs : names of what is judged: OUTPUTS, or INDICES with a component or error, such as share.X.
+    document : path of the FreeCAD document whose variants are judged, in place of `data` ("": none).  minimise : what
+    the Pareto front is of: parameters and outputs, those to be maximised with "-" before the name."""
 
     data: Mapping
     parameters: tuple[Parameter, ...]
@@ -54,6 +58,13 @@ class Sweep:
     count: int
     seed: int
     outputs: tuple[str, ...]
+    document: str = ""
+    minimise: tuple[str, ...] = ()
+
+    @property
+    def paths(self) -> tuple[str, ...]:
+        """The paths of the parameters."""
+        return tuple(p.path for p in self.parameters)
 
     def size(self) -> int:
         """Number of variants; refuses too many."""
@@ -170,32 +181,50 @@ def _worst(machine: Machine) -> float:
     return um(math.sqrt(float(found.mean.max())))
 
 
-def judge_chunk(read: Reader, data: Mapping, paths, outputs, rows) -> list[tuple[list[float] | None, str]]:
-    """(outputs or None, what was refused) of each row of values.  A plain function of plain data, for any worker."""
-    results = []
-    for values in rows:
-        variant = copy.deepcopy(dict(data))
-        for path, value in zip(paths, values):
-            holder, key = place_of(variant, path)
-            holder[key] = value
-        try:
-            results.append((judged(read(variant), outputs), ""))
-        except Refused as refused:
-            results.append((None, refused.message))
-    return results
+@dataclass(frozen=True)
+class FileJudge:
+    """Judges variants of a machine's file.  Plain data and a function of a module: any worker can have it.
+
+    read : machine of plain data.  data : the machine's file.  paths, outputs : as in `Sweep`.
+    """
+
+    read: Callable[[dict], Machine]
+    data: Mapping
+    paths: tuple[str, ...]
+    outputs: tuple[str, ...]
+
+    def __call__(self, rows) -> list[Judged]:
+        results: list[Judged] = []
+        for values in rows:
+            variant = copy.deepcopy(dict(self.data))
+            for path, value in zip(self.paths, values):
+                holder, key = place_of(variant, path)
+                holder[key] = value
+            try:
+                results.append((judged(self.read(variant), self.outputs), ""))
+            except Refused as refused:
+                results.append((None, refused.message))
+        return results
 
 
 # -- all variants ------------------------------------------------------------------------------------------------------
 def run_sweep(
-    sweep: Sweep, read: Reader, executor: Executor | None = None, workers: int = 1, start: int = 0, progress=None
+    sweep: Sweep,
+    judge: Judge,
+    executor: Executor | None = None,
+    workers: int = 1,
+    start: int = 0,
+    progress=None,
+    chunk: int = CHUNK,
 ) -> Iterator[tuple[int, tuple[float, ...], list[float] | None, str]]:
     """(number, values, outputs or None, what was refused) of each variant from `start` on, in order.
 
-    read : machine from plain data; must be importable by workers.  executor : None judges here.  A worker that dies is
-    not the end: its chunk is judged here.  progress : called with the part done; false cancels.
+    judge : of a list of variants; workers must be able to have it.  executor : None judges here.  A worker that dies is
+    not the end: its chunk is judged here.  progress : called with the part done; false cancels.  chunk : variants that
+    a worker gets at a time.
     """
-    size, paths = sweep.size(), [p.path for p in sweep.parameters]
-    chunks = _chunks(sweep.variants(start))
+    size = sweep.size()
+    chunks = _chunks(sweep.variants(start), chunk)
     waiting: list[tuple[list, object]] = []
     number = start
 
@@ -205,7 +234,7 @@ def run_sweep(
             work = None
             if executor is not None:
                 try:
-                    work = executor.submit(judge_chunk, read, sweep.data, paths, sweep.outputs, rows)
+                    work = executor.submit(judge, rows)
                 except RuntimeError:  # the executor broke
                     work = None
             waiting.append((rows, work))
@@ -223,7 +252,7 @@ def run_sweep(
             except Exception:  # noqa: BLE001 - a worker was lost, whatever its library calls that
                 results = None
         if results is None:
-            results = judge_chunk(read, sweep.data, paths, sweep.outputs, rows)
+            results = judge(rows)
         submit()
         for values, (outputs, words) in zip(rows, results):
             yield number, values, outputs, words
@@ -232,6 +261,6 @@ def run_sweep(
             raise workspace.Cancelled("cancelled")
 
 
-def _chunks(variants) -> Iterator[list[tuple[float, ...]]]:
-    while rows := list(itertools.islice(variants, CHUNK)):
+def _chunks(variants, size: int) -> Iterator[list[tuple[float, ...]]]:
+    while rows := list(itertools.islice(variants, size)):
         yield rows

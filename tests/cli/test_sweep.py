@@ -129,7 +129,7 @@ BAD = {
     "an unknown output": ({"outputs": ["speed"]}, "sweep-output"),
     "an output of no component": ({"outputs": ["share.Q"]}, "sweep-output"),
     "too many": ({"parameters": [{"path": f"joints.{k}.point.0", "range": [0, 1, 300]} for k in "XYZ"]}, "sweep-size"),
-    "a document": ({"machine": "m.FCStd"}, "sweep-of-document"),
+    "a document that is not there": ({"machine": "m.FCStd"}, "input-missing"),
 }  # fmt: skip
 
 
@@ -187,3 +187,25 @@ def test_a_cluster_writes_the_same_bytes_also_where_a_worker_is_killed(tmp_path,
     processes[1].kill()
     assert run.wait(timeout=120) == 0
     assert (tmp_path / "many" / "results.csv").read_bytes() == whole
+
+
+# -- what is shown of all ----------------------------------------------------------------------------------------------
+def test_the_front_holds_what_no_variant_beats(tmp_path):
+    more = {"minimise": ["rms", "-joints.Z.point.2"]}
+    found = rows(swept(spec(tmp_path, **more), tmp_path / "out"))
+    judged = [r for r in found if not r["refused"]]
+    points = {r["variant"]: (float(r["rms"]), -float(r["joints.Z.point.2"])) for r in judged}
+    best = {
+        v for v, (a, b) in points.items() if not any(c <= a and d <= b and (c < a or d < b) for c, d in points.values())
+    }
+    front = list(csv.DictReader((tmp_path / "out" / "pareto.csv").read_text(encoding="utf-8").splitlines()))
+    assert {r["variant"] for r in front} == best and 1 < len(best) < len(judged)
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Pareto" in page and "joints.Z.point.2" in page
+
+
+def test_what_is_minimised_must_be_there(tmp_path):
+    path = spec(tmp_path, minimise=["share.Q"])
+    with pytest.raises(Refused) as refused:
+        sweep_files.load(path)
+    assert refused.value.code == "sweep-minimise" and "minimise" in refused.value.where

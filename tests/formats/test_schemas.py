@@ -366,7 +366,6 @@ BAD = {
     "values and range": ("sweep", SWEEP, ("parameters", 0, "values"), [1], "sweep-values-or-range"),
     "a sample of values": ("sweep", SWEEP, ("design",), "lhs", "sweep-range-wanted"),
     "an output of no kind": ("sweep", SWEEP, ("outputs",), ["speed"], "sweep-output"),
-    "a document": ("sweep", SWEEP, ("machine",), "m.FCStd", "sweep-of-document"),
     "a list for a column": ("mapping", MAPPING, ("x_mm",), [], "mapping-value"),
 }  # fmt: skip
 
