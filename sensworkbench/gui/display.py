@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from pivy import coin
 
+from ..core.errors import AXES
+from ..core.joints import KINDS
 from ..core.refusal import Refused
 from ..document import tree
 from ..document.base import alive, kind_of
@@ -132,6 +134,13 @@ def show_map(machine, result, at: float | None = None) -> None:
         drawn.show(machine, colour_map, corner, view.ErrorMapShows, view.ErrorMapAs, at)
     except Refused:
         drawn.hide()
+
+
+def sliding_axes(machine) -> list[str]:
+    """Names of the axes of a machine that move along a line; X, Y and Z where there is no machine yet."""
+    if machine is None:
+        return list(AXES)
+    return [o.Axis for o in tree.bodies(machine).values() if kind_of(o) == "Axis" and not KINDS[o.Kind].angular]
 
 
 def key_corner(obj) -> str:

@@ -16,17 +16,16 @@ from ..document.base import kind_of
 from ..studies.error_map import FINE, map_errors, map_positions
 from .colormap import Scale
 from .legend import Legend, LegendText, unbounded
-from .looks import MAP_FORMS, MAP_SHOWS
+from .looks import MAP_SHOWS, POINTS, sliced
 from .qt import translate
 from .texts import shown_unit
 
 EXPECTED, WORST = MAP_SHOWS
-POINTS = MAP_FORMS[0]
 
 
 def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
     """(P, n) positions of the axes: a grid over the travel, or a slice with one axis at `at` (mm)."""
-    return map_positions(core, None if form == POINTS else core.names.index(form[-1]), at)
+    return map_positions(core, None if form == POINTS else core.names.index(sliced(form)), at)
 
 
 def title(objective, what: str) -> str:
@@ -87,8 +86,8 @@ class ErrorMap:
              at: float = 0.0) -> None:  # fmt: skip
         """Compute and draw; what : `MAP_SHOWS`, form : `MAP_FORMS`, at : position of the sliced axis in mm."""
         axes = [obj for obj in tree.bodies(machine).values() if kind_of(obj) == "Axis"]
-        if form != POINTS and not (len(axes) == 3 and form[-1] in [axis.Axis for axis in axes]):
-            form = POINTS  # a slice is one of three axes
+        if sliced(form) not in [axis.Axis for axis in axes] or len(axes) < 2:
+            form = POINTS  # of another machine
         stands = [tuple(machine.FunctionalPoint), *(tuple(axis.Direction) for axis in axes)]
         key = (
             machine.Inputs,
@@ -104,7 +103,7 @@ class ErrorMap:
             core, objective = extract.core_machine(machine), extract.objective(machine)
             q = positions(core, form, at)
             if form != POINTS:
-                at = float(q[0, core.names.index(form[-1])])
+                at = float(q[0, core.names.index(sliced(form))])
             value = map_errors(core, objective, q, upper=what == WORST)
             whole = (key[:-4], what)
             if whole != self._whole:  # one scale for the workspace: a slice that moves can be compared with the last
@@ -126,13 +125,19 @@ class ErrorMap:
         self._material.diffuseColor.setNum(len(colours))
         self._material.diffuseColor.setValues(0, len(colours), colours)
         self._points.numPoints = len(where)
-        self._form.whichChild = 0 if form == POINTS else 1
+        self._form.whichChild = 1 if form != POINTS and len(where) == FINE * FINE else 0  # a line is drawn as points
         words = translate("Sens", "tool point over the workspace")
         if form != POINTS:
-            words = translate("Sens", "slice at {axis} = {position} mm").format(axis=form[-1], position=f"{at:g}")
+            words = translate("Sens", "slice at {axis} = {position} mm").format(axis=sliced(form), position=f"{at:g}")
         short = "√E[Y]" if what == EXPECTED else "E + 2σ"
-        note = "" if form == POINTS else f"{form[-1]} = {at:g} mm"
+        note = "" if form == POINTS else f"{sliced(form)} = {at:g} mm"
         self._text = LegendText(title(objective, what), unit, words, short=short, note=note)
+
+    @property
+    def drawn(self) -> tuple[np.ndarray, Scale, LegendText]:
+        """What is drawn: (P, 3) places, the scale of the colours, and the words of the legend."""
+        places = np.array([tuple(p.getValue()) for p in self._coordinates.point.getValues()])
+        return places, self._scale, self._text
 
     def hide(self) -> None:
         """Hide the map and its legend."""

@@ -10,8 +10,25 @@ COLOUR_BY = {  # choice -> the property of the result that the parts show
     "First order": "ComponentFirst",
 }
 MAP_SHOWS = ("Expected", "Upper estimate")
-MAP_FORMS = ("Points", "Slice X", "Slice Y", "Slice Z")
+POINTS = "Points"  # how the error map is drawn, or "Slice " and the name of the axis that is held
 CORNERS = ("Upper left", "Upper right", "Lower left", "Lower right")
+
+
+def slice_form(name: str) -> str:
+    """The form of the error map in which the axis of a name is held."""
+    return f"Slice {name}"
+
+
+def sliced(form: str) -> str:
+    """Name of the axis that a form of the error map holds, "" where it holds none."""
+    return form.removeprefix("Slice ") if form != POINTS else ""
+
+
+def map_forms(names) -> list[str]:
+    """The forms of the error map of a machine whose axes move along lines.  names : of these axes."""
+    return [POINTS, *(slice_form(n) for n in names if len(names) > 1)]
+
+
 VIEW_PROPERTIES = (
     "ColourBy", "ColourMap", "AutomaticRange", "RangeLower", "RangeUpper", "ShowLegend", "LegendCorner", "ShowErrorMap",
     "ErrorMapShows", "ErrorMapAs", "ErrorMapAt",

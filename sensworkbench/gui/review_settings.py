@@ -14,6 +14,7 @@ from ..core.refusal import Refused
 from ..document import extract, told, tree
 from . import display, messages
 from .colormap import MAPS
+from .looks import POINTS, map_forms, sliced
 from .objective_form import ObjectiveForm
 from .preferences import (
     aggregate_choices,
@@ -109,10 +110,7 @@ class Settings(QtGui.QScrollArea):
             ("Expected", translate("Sens", "Expected error √E[Y]")),
             ("Upper estimate", translate("Sens", "Upper estimate √(E[Y] + 2√V(Y))")),
         ])  # fmt: skip
-        self.map_as = combo([
-            ("Points", translate("Sens", "Points")), ("Slice X", translate("Sens", "Slice at X")),
-            ("Slice Y", translate("Sens", "Slice at Y")), ("Slice Z", translate("Sens", "Slice at Z")),
-        ])  # fmt: skip
+        self.map_as = combo([(POINTS, translate("Sens", "Points"))])  # the slices are those of the machine
         self.map_slider = QtGui.QSlider(Qt.Horizontal)
         self.map_slider.setRange(0, STEPS)
         self.map_slider.setToolTip(translate("Sens", "Moves the slice along its axis"))
@@ -176,6 +174,7 @@ class Settings(QtGui.QScrollArea):
             write_field(self.squareness, machine.Squareness)
             self._kinds()
             view = result.ViewObject if result is not None else None
+            self._offer_slices(machine)
             known = view is not None and all(hasattr(view, name) for name in self._fields)
             for name, field in self._fields.items():
                 field.setEnabled(known)
@@ -192,6 +191,17 @@ class Settings(QtGui.QScrollArea):
         finally:
             self._quiet = False
 
+    def _offer_slices(self, machine) -> None:
+        """The forms of the map: points, and a slice for each axis that moves along a line."""
+        words = translate("Sens", "Slice at {axis}")
+        forms = map_forms(display.sliding_axes(machine))
+        if forms != [self.map_as.itemData(i) for i in range(self.map_as.count())]:
+            self.map_as.clear()
+            for form in forms:
+                self.map_as.addItem(
+                    words.format(axis=sliced(form)) if sliced(form) else translate("Sens", "Points"), form
+                )
+
     def _show_objective(self, machine) -> None:
         """The objective of the machine; the fields stay as they are where it is not registered here."""
         try:
@@ -201,13 +211,10 @@ class Settings(QtGui.QScrollArea):
 
     def _show_slice(self, view) -> None:
         """The slider for the sliced axis; nothing to slide for points."""
-        sliced = view.ErrorMapAs != "Points"
+        axis = tree.axis_of(self.machine, sliced(view.ErrorMapAs)) if view.ErrorMapAs != POINTS else None
         for field in (self.map_slider, self.map_at):
-            field.setEnabled(sliced)
-        if sliced:
-            axis = tree.axis_of(self.machine, view.ErrorMapAs[-1])
-            if axis is None:  # a slice along an axis that this machine has not is shown as points
-                return
+            field.setEnabled(axis is not None)
+        if axis is not None:  # a slice along an axis that this machine has not is shown as points
             low, high = axis.TravelLower.Value, axis.TravelUpper.Value
             self.map_at.setRange(low, high)
             self.map_at.setValue(view.ErrorMapAt.Value)
@@ -269,6 +276,8 @@ class Settings(QtGui.QScrollArea):
             if name == "AutomaticRange" and not value:
                 shown = display.scale(result)  # by hand from where the automatic range stood
                 view.RangeLower, view.RangeUpper = shown.lower, shown.upper
+            if name == "ErrorMapAs" and value not in view.getEnumerationsOfProperty(name):  # of an earlier version
+                view.ErrorMapAs = map_forms(display.sliding_axes(self.machine))
             setattr(view, name, value)
             display.update(result)
 

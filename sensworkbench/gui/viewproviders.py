@@ -9,15 +9,16 @@ from __future__ import annotations
 
 from pivy import coin
 
+from ..document import tree
 from ..document.base import kind_of
 from . import settings
 from .arrows import Arrows
 from .colormap import MAPS
 from .colours import restore
-from .display import update
+from .display import sliding_axes, update
 from .errormap import ErrorMap
 from .legend import Legend
-from .looks import COLOUR_BY, CORNERS, MAP_FORMS, MAP_SHOWS, VIEW_PROPERTIES
+from .looks import COLOUR_BY, CORNERS, MAP_SHOWS, POINTS, VIEW_PROPERTIES, map_forms
 from .qt import later, soon
 from .residuals import dress as dress_readings
 from .viewprovider_base import ViewProviderSens
@@ -90,8 +91,8 @@ class ViewProviderSensitivity(ViewProviderSens):
         add("Bool", "ShowErrorMap", "Show the volumetric error over the workspace", False)
         add("Enumeration", "ErrorMapShows", "Root of the mean square, or two standard deviations of Y above the mean",
             MAP_SHOWS[0], MAP_SHOWS)  # fmt: skip
-        add("Enumeration", "ErrorMapAs", "Points over the workspace, or a slice square to one axis", MAP_FORMS[0],
-            MAP_FORMS)  # fmt: skip
+        add("Enumeration", "ErrorMapAs", "Points over the workspace, or a slice with one axis held", POINTS,
+            map_forms(sliding_axes(tree.owner_machine(vobj.Object))))  # fmt: skip
         add("Distance", "ErrorMapAt", "Position of the sliced axis", 0.0)
 
     def attach(self, vobj):

@@ -9,26 +9,30 @@ from ..core.distributions import moments
 from ..core.machine import Machine
 from ..core.objectives import Objective
 from ..core.synthesis import omega
-from ..core.workspace import error_table, grid
+from ..core.workspace import error_table
 
 COUNT = 7  # points per joint
 FINE = 25  # nodes of a slice per joint
 
 
-def map_positions(machine: Machine, sliced: int | None = None, at: float = 0.0, across=(0, 1, 2)) -> np.ndarray:
-    """Return (P, n) positions of the joints: a grid over the travel, COUNT per joint, or a slice of FINE x FINE
-    positions.
+def spanning(machine: Machine) -> tuple[int, ...]:
+    """Numbers of the joints that span the workspace: the first three that slide, else the first three."""
+    slides = [i for i, joint in enumerate(machine.joints) if joint.slides]
+    return tuple((slides or range(len(machine.joints)))[:3])
 
-    sliced : number of the joint that is held at `at` (mm or rad, limited to its travel).  across : numbers of the three
-    joints that span the workspace; the others are held at the middle of their travel.
+
+def map_positions(machine: Machine, sliced: int | None = None, at: float = 0.0) -> np.ndarray:
+    """Return (P, n) positions of the joints that span the workspace: COUNT per joint, or FINE per joint of a slice.
+
+    sliced : number of the joint that is held at `at` (mm or rad, limited to its travel).  Joints that do not span the
+    workspace stand at the middle of their travel.
     """
-    if sliced is None:
-        return grid(machine, COUNT).q
-    low, high = machine.travel[sliced]
     nodes = [np.array([(a + b) / 2]) for a, b in machine.travel]
-    for i in across:
-        nodes[i] = np.linspace(*machine.travel[i], FINE)
-    nodes[sliced] = np.array([min(max(at, low), high)])
+    for i in spanning(machine):
+        nodes[i] = np.linspace(*machine.travel[i], COUNT if sliced is None else FINE)
+    if sliced is not None:
+        low, high = machine.travel[sliced]
+        nodes[sliced] = np.array([min(max(at, low), high)])
     return np.stack([g.ravel() for g in np.meshgrid(*nodes, indexing="ij")], axis=1)
 
 

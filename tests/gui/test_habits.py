@@ -118,9 +118,10 @@ def test_slices_of_the_error_map_share_one_scale(dock, machine):
     for at in (-150.0, 150.0):
         view.ErrorMapAt = at
         pump(60)
-        scales.append((view.Proxy.map._scale.lower, view.Proxy.map._scale.upper))
+        scale = view.Proxy.map.drawn[1]
+        scales.append((scale.lower, scale.upper))
     assert scales[0] == scales[1] and scales[0][0] < scales[0][1]
-    assert view.Proxy.map._scale.name != view.ColourMap  # yellow is a share here, a length there
+    assert view.Proxy.map.drawn[1].name != view.ColourMap  # yellow is a share here, a length there
 
 
 def test_nothing_is_overwritten_without_a_question(dock, machine, monkeypatch, tmp_path):

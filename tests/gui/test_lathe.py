@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from sensworkbench.document import extract, factory, results, tree
@@ -71,6 +72,21 @@ def test_the_review_shows_it(lathe):
         review.hide()
 
 
+def test_the_review_offers_the_slices_of_its_axes(lathe):
+    shown = review.show(lathe)
+    pump(100)
+    try:
+        offered = [shown.settings.map_as.itemText(i) for i in range(shown.settings.map_as.count())]
+        assert offered == ["Points", "Slice at X", "Slice at Z"]
+        shown.settings.map.setChecked(True)
+        shown.settings.map_as.setCurrentIndex(2)
+        pump(60)
+        view = tree.sensitivity_of(lathe).ViewObject
+        assert view.ErrorMapAs == "Slice Z" and shown.settings.map_slider.isEnabled()
+    finally:
+        review.hide()
+
+
 def test_arrows_places_and_the_map_are_those_of_its_axes(lathe):
     found = pointers.arrows(lathe, ["X", "Z", "T"])
     assert len(found) >= 6
@@ -79,6 +95,10 @@ def test_arrows_places_and_the_map_are_those_of_its_axes(lathe):
     where = residuals.places(core, [[5.0, 7.0]])
     assert where.tolist() == [[45.0, 0.0, 17.0]]
     drawn = tree.sensitivity_of(lathe).ViewObject.Proxy.map
-    drawn.show(lathe, "viridis", "Upper left", form="Slice Y")
-    assert drawn.shown
+    drawn.show(lathe, "viridis", "Upper left", form="Slice Y")  # it has no such axis: points
+    assert drawn.shown and len(drawn.drawn[0]) == 49
+    drawn.show(lathe, "viridis", "Upper left", form="Slice X", at=10.0)
+    places, scale, text = drawn.drawn
+    assert len(places) == 25 and np.ptp(places[:, 0]) < 1e-3 and "X = 10 mm" in text.note
+    assert scale.lower < scale.upper
     drawn.hide()

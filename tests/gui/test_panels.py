@@ -442,7 +442,7 @@ def test_error_map_of_points(machine, machine_doc):
     result = tree.sensitivity_of(machine)
     drawn = result.ViewObject.Proxy.map
     assert drawn.shown and drawn.legend.shown
-    text, scale, _ = drawn.legend._content
+    _, scale, text = drawn.drawn
     assert text.unit == "µm" and "√E[Y]" in text.title
     assert scale.lower < 1e3 * np.sqrt(result.MeanSquare) < scale.upper  # the mean lies between the extremes
     screenshot("error-map")
@@ -462,10 +462,10 @@ def test_error_map_as_a_slice_that_slides(machine, machine_doc):
     settings_tab.map_as.setCurrentIndex(settings_tab.map_as.findData("Slice Z"))
     pump(30)
     assert view.ErrorMapAs == "Slice Z" and settings_tab.map_slider.isEnabled()
-    expected = drawn._scale.upper
+    expected = drawn.drawn[1].upper
     settings_tab.map_shows.setCurrentIndex(settings_tab.map_shows.findData("Upper estimate"))
     pump(30)
-    assert drawn._scale.upper > 1.2 * expected and "2√V(Y)" in drawn.legend._content[0].title
+    assert drawn.drawn[1].upper > 1.2 * expected and "2√V(Y)" in drawn.drawn[2].title
     undos = machine_doc.UndoCount
     settings_tab.map_slider.setSliderDown(True)
     for step in (20, 60, 150):
@@ -473,7 +473,7 @@ def test_error_map_as_a_slice_that_slides(machine, machine_doc):
     axis = tree.axis_of(machine, "Z")
     low, high = axis.TravelLower.Value, axis.TravelUpper.Value
     wanted = low + (high - low) * 150 / 200
-    heights = [p.getValue()[2] for p in drawn._coordinates.point.getValues()]
+    heights = drawn.drawn[0][:, 2].tolist()
     tip = machine.FunctionalPoint.z
     assert heights == pytest.approx([tip + wanted] * len(heights), abs=0.1)
     assert machine_doc.UndoCount == undos  # nothing is written while it slides
@@ -521,7 +521,7 @@ def test_every_preference_is_honoured(workbench):
         assert display.values(result) == dict(zip(result.Bodies, result.ComponentTotalMax))
         proxy = result.ViewObject.Proxy
         assert proxy.legend._content[2] == "Lower right"
-        assert proxy.map.legend._content[0].unit == "″"
+        assert proxy.map.drawn[2].unit == "″"
         mean = np.sqrt(result.MeanSquare) * 180 * 3600 / np.pi
         assert f"{mean:.3g} ″" in review.dock().head.text() and f"{mean:.3g} ″" in review.dock().what_if.summary.text()
         machine.Document.removeObject(tree.tolerances_of(machine).Name)

@@ -14,7 +14,7 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import omega
 from sensworkbench.core.workspace import Cancelled
 from sensworkbench.formats import machine_json
-from sensworkbench.studies.error_map import map_errors, map_positions
+from sensworkbench.studies.error_map import map_errors, map_positions, spanning
 from sensworkbench.studies.plan import PlanRequest, plan_study
 from sensworkbench.studies.sensitivity import KINDS, SensitivityRequest, kind_of, sensitivity_study
 
@@ -52,6 +52,15 @@ def test_a_slice_stands_still_in_one_joint_and_stays_within_its_travel(machine):
     q = map_positions(machine, sliced=1, at=high + 100)
     assert q.shape == (625, 3) and (q[:, 1] == high).all() and np.ptp(q[:, 0]) == np.ptp(machine.travel[0])
     assert map_positions(machine).shape == (343, 3)
+
+
+@pytest.mark.parametrize("name, points, slice_points", [("lathe", 49, 25), ("trunnion", 343, 625), ("rotary_table", 7, 1)])
+def test_the_map_covers_what_spans_the_workspace(name, points, slice_points):
+    machine = machine_json.load(EXAMPLES / f"{name}.json")
+    q = map_positions(machine)
+    moving = [i for i in range(q.shape[1]) if np.ptp(q[:, i]) > 0]
+    assert len(q) == points and tuple(moving) == spanning(machine)
+    assert len(map_positions(machine, moving[0], machine.travel[moving[0]].mean())) == slice_points
 
 
 def test_the_indices_of_a_kind_are_those_of_sampled_machines(machine):
