@@ -29,6 +29,16 @@
       <translation>95-%-Bereich des Effektivwerts zurückgehaltener Werte: {a} … {b} µm vorher, {c} … {d} µm nachher.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>95 % of all errors below</source>
+      <translation>95 % aller Fehler unter</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>95 % of all errors below {before} → {after} µm.</source>
+      <translation>95 % aller Fehler unter {before} → {after} µm.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>Eine Maschine, die 3 µm zu weit fährt, hat den Fehler +3 µm und die Kompensation −3 µm</translation>
@@ -69,6 +79,21 @@
       <translation>Alle Achsen auf 0</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate</source>
+      <translation>Verteilen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate tolerances</source>
+      <translation>Toleranzen verteilen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocating {n} tolerances</source>
+      <translation>{n} Toleranzen werden verteilt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Allowed</source>
       <translation>Zulässig</translation>
@@ -89,7 +114,7 @@
       <translation>Ein anderes Fenster ist offen. Bitte zuerst schließen.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Apply</source>
       <translation>Anwenden</translation>
     </message>
@@ -125,8 +150,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/bars.py" />
-      <source>Bar: Sᵀ of the component; dark: S. Below: Sᵀ of its errors, one after the other.</source>
-      <translation>Balken: Sᵀ der Komponente, dunkel: S. Darunter: Sᵀ ihrer Abweichungen nacheinander.</translation>
+      <source>Bar: share of the component in the variance. Below: the shares of its errors, which add to it.</source>
+      <translation>Balken: Anteil der Komponente an der Varianz. Darunter: die Anteile ihrer Fehler, die zusammen ihn ergeben.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -167,6 +192,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Change</source>
       <translation>Änderung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Changes</source>
+      <translation>Änderungen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -254,6 +284,11 @@
       <translation>Kondition</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Contribution to Y; the contributions add to 1</source>
+      <translation>Beitrag zu Y; die Beiträge ergeben zusammen 1</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>Copy</source>
       <translation>Kopieren</translation>
@@ -262,6 +297,16 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>Bitte berichtigen oder Abbrechen drücken.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Cost</source>
+      <translation>Kosten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Cost {cost}; nothing cheaper than {bound} meets the target.</source>
+      <translation>Kosten {cost}; nichts unter {bound} erreicht das Ziel.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -297,6 +342,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Distribution</source>
       <translation>Verteilung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Double click: try it again. Delete: remove it from the list</source>
+      <translation>Doppelklick: wieder versuchen. Entf: aus der Liste nehmen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />
@@ -372,6 +422,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Findings</source>
       <translation>Befunde</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Finds the cheapest tolerances that meet the target.</source>
+      <translation>Findet die billigsten Toleranzen, die das Ziel erreichen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -454,6 +509,11 @@
       <translation>Von 0 bis knapp über den größten Index; sonst bleibt der Bereich stehen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>From file…</source>
+      <translation>Aus Datei…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>General</source>
       <translation>Allgemein</translation>
@@ -464,9 +524,19 @@
       <translation>Gibt jedem Teil seine eigenen Farben zurück</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Gives the machine its former tolerances back</source>
+      <translation>Gibt der Maschine ihre früheren Toleranzen zurück</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Gives the selected errors the limits ± this value</source>
       <translation>Gibt den gewählten Abweichungen die Grenzen ± dieser Wert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Grade</source>
+      <translation>Güte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -542,6 +612,21 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog {name}</source>
       <translation>{name} verfahren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Keep</source>
+      <translation>Merken</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Keeps what is tried in a list, to compare it with others</source>
+      <translation>Merkt sich den Versuch in einer Liste, zum Vergleich mit anderen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Kept</source>
+      <translation>Gemerkt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -719,6 +804,11 @@
       <translation>Beim Lesen aufgefallen:</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Now</source>
+      <translation>Jetzt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>Zielgröße</translation>
@@ -854,6 +944,11 @@
       <translation>Positionen je Achse</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Prices of tolerances</source>
+      <translation>Preise der Toleranzen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
@@ -877,6 +972,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Readings</source>
       <translation>Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
+      <translation>Liest Preise: symbol, kind, c, k, lower, upper, oder Güten (siehe Allocation)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1055,13 +1155,48 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share</source>
+      <translation>Anteil</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Share now</source>
+      <translation>Anteil jetzt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share of the component in the variance</source>
+      <translation>Anteil der Komponente an der Varianz</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
       <source>Share of the variance, 0 to 1</source>
       <translation>Anteil an der Varianz, 0 bis 1</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/preferences.py" />
+      <source>Share of the variance; all shares add to 1</source>
+      <translation>Anteil an der Varianz; alle zusammen ergeben 1</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Share then</source>
+      <translation>Anteil dann</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>Show only: Z, squareness, Spindle …</source>
+      <translation>Nur zeigen: Z, Rechtwinkligkeit, Spindel …</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>Shows the errors whose name, component or meaning has these words</source>
+      <translation>Zeigt die Fehler, deren Name, Komponente oder Bedeutung diese Wörter enthält</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1075,18 +1210,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at X</source>
-      <translation>Schnitt bei X</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at Y</source>
-      <translation>Schnitt bei Y</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at Z</source>
-      <translation>Schnitt bei Z</translation>
+      <source>Slice at {axis}</source>
+      <translation>Schnitt bei {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1134,16 +1259,6 @@
       <translation>Vorschläge</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Sᵀ now</source>
-      <translation>Sᵀ jetzt</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Sᵀ then</source>
-      <translation>Sᵀ dann</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
       <translation>Tabellen (*.csv *.txt *.tsv);;Alle Dateien (*)</translation>
@@ -1179,9 +1294,19 @@
       <translation>Nimmt die gefundenen Effekte wieder aus der Maschine</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Target</source>
+      <translation>Ziel</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Tells apart: {what}</source>
       <translation>Unterscheidet: {what}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>The error that the tolerances together may cause</source>
+      <translation>Der Fehler, den alle Toleranzen zusammen verursachen dürfen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1234,6 +1359,11 @@
       <translation>Die Schieber zwischen Bett und Werkzeug; die übrigen tragen das Werkstück</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>The tolerances are those of the table; Undo gives the former ones back</source>
+      <translation>Die Toleranzen sind die der Tabelle; Rückgängig gibt die früheren zurück</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The tool is carried by</source>
       <translation>Das Werkzeug wird getragen von</translation>
@@ -1247,6 +1377,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The trace stopped: {error}. Nothing was changed. The report view holds the details; please send them in with the readings.</source>
       <translation>Die Suche brach ab: {error}. Nichts wurde geändert. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Then</source>
+      <translation>Dann</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1320,8 +1455,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
-      <source>Total index: its share with all interactions. Bar: Sᵀ; dark inside: S</source>
-      <translation>Totaler Index: ihr Anteil mit allen Wechselwirkungen. Balken: Sᵀ; dunkel darin: S</translation>
+      <source>Total index: the share of the variance with all interactions; they add to more than 1</source>
+      <translation>Totaler Index: der Anteil an der Varianz mit allen Wechselwirkungen; zusammen mehr als 1</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1352,6 +1487,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>U-shaped</source>
       <translation>U-förmig</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Undo</source>
+      <translation>Rückgängig</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1449,6 +1589,11 @@
       <translation>Was die angesetzten Fehler übrig lassen, hängt ab von {columns}.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>What the error contributes to the variance, (S + Sᵀ)/2: the shares add to 100 %. Work on the largest first</source>
+      <translation>Was der Fehler zur Varianz beiträgt, (S + Sᵀ)/2: die Anteile ergeben 100 %. Zuerst am größten arbeiten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
       <translation>Was die Karte zeigt, wird in der Auswertung unter „Einstellungen“ gewählt</translation>
@@ -1519,9 +1664,19 @@
       <translation>Schreibt die Tabellen und diese Aufstellung in einen Ordner</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Writes the tolerances to the machine, one undo step</source>
+      <translation>Schreibt die Toleranzen in die Maschine, ein Schritt zum Rückgängigmachen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
       <translation>Schreibt Toleranzen, Gewichte und verschobene Maßstäbe in die Maschine, ein Rückgängig-Schritt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Writes the tolerances, what other targets cost, and a report</source>
+      <translation>Schreibt die Toleranzen, die Kosten anderer Ziele und einen Bericht</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1634,6 +1789,11 @@
       <translation>an seiner Platzierung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>at most</source>
+      <translation>höchstens</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>bed</source>
       <translation>Bett</translation>
@@ -1699,7 +1859,7 @@
       <translation>Fehler: Ist minus Soll</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>fails</source>
       <translation>nicht eingehalten</translation>
     </message>
@@ -1739,6 +1899,11 @@
       <translation>halbiert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>halving a tolerance doubles its cost</source>
+      <translation>die halbe Toleranz kostet doppelt so viel</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>ignoriert</translation>
@@ -1765,8 +1930,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>largest component then: {name}, Sᵀ = {value}</source>
-      <translation>größte Komponente dann: {name}, Sᵀ = {value}</translation>
+      <source>largest share then: {name}, {value}</source>
+      <translation>größter Anteil dann: {name}, {value}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1799,7 +1964,7 @@
       <translation>eine Stellung</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>passes</source>
       <translation>eingehalten</translation>
     </message>
@@ -1827,6 +1992,21 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>rivals that these readings cannot tell from it: {n}</source>
       <translation>Rivalen, die diese Messwerte nicht davon unterscheiden: {n}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms at the worst place</source>
+      <translation>rms am ungünstigsten Ort</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms over the workspace</source>
+      <translation>rms im Arbeitsraum</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms {before} → {after} µm, at the worst place {worst_before} → {worst_after} µm.</source>
+      <translation>rms {before} → {after} µm, am ungünstigsten Ort {worst_before} → {worst_after} µm.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2105,6 +2285,19 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Adds the found effects to the machine, each under its body</source>
       <translation>Fügt der Maschine die gefundenen Effekte hinzu, jeden unter seinem Körper</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Allocate</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate Tolerances…</source>
+      <translation>Toleranzen verteilen…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Finds the cheapest tolerances that meet a target, and applies them</source>
+      <translation>Findet die billigsten Toleranzen für ein Ziel und übernimmt sie</translation>
     </message>
   </context>
   <context>

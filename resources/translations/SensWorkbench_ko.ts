@@ -29,6 +29,16 @@
       <translation>남겨 둔 측정값 rms의 95 % 구간: 전 {a} … {b} µm, 후 {c} … {d} µm.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>95 % of all errors below</source>
+      <translation>모든 오차의 95 %의 상한</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>95 % of all errors below {before} → {after} µm.</source>
+      <translation>모든 오차의 95 %가 {before} → {after} µm 미만.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>3 µm 더 가는 기계의 오차는 +3 µm, 보정값은 −3 µm입니다</translation>
@@ -69,6 +79,21 @@
       <translation>모든 축을 0으로</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate</source>
+      <translation>배분</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate tolerances</source>
+      <translation>공차 배분</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocating {n} tolerances</source>
+      <translation>공차 {n}개를 배분하는 중</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Allowed</source>
       <translation>허용값</translation>
@@ -89,7 +114,7 @@
       <translation>다른 패널이 열려 있습니다. 먼저 닫으십시오.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Apply</source>
       <translation>적용하기</translation>
     </message>
@@ -125,8 +150,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/bars.py" />
-      <source>Bar: Sᵀ of the component; dark: S. Below: Sᵀ of its errors, one after the other.</source>
-      <translation>막대: 구성요소의 Sᵀ, 어두운 부분: S. 아래: 각 오차의 Sᵀ를 차례로 표시.</translation>
+      <source>Bar: share of the component in the variance. Below: the shares of its errors, which add to it.</source>
+      <translation>막대: 분산에서 구성 요소의 몫. 아래: 그 오차들의 몫이며 합하면 막대와 같습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -166,6 +191,11 @@
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Change</source>
+      <translation>변경</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Changes</source>
       <translation>변경</translation>
     </message>
     <message>
@@ -254,6 +284,11 @@
       <translation>조건수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Contribution to Y; the contributions add to 1</source>
+      <translation>Y에 대한 기여; 기여의 합은 1</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>Copy</source>
       <translation>복사</translation>
@@ -262,6 +297,16 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>고치거나 취소를 누르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Cost</source>
+      <translation>비용</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Cost {cost}; nothing cheaper than {bound} meets the target.</source>
+      <translation>비용 {cost}; {bound}보다 싸게는 목표를 만족할 수 없습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -297,6 +342,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Distribution</source>
       <translation>분포</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Double click: try it again. Delete: remove it from the list</source>
+      <translation>두 번 클릭: 다시 시도. Delete: 목록에서 제거</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />
@@ -372,6 +422,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Findings</source>
       <translation>발견</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Finds the cheapest tolerances that meet the target.</source>
+      <translation>목표를 만족하는 가장 싼 공차를 찾습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -454,6 +509,11 @@
       <translation>0부터 최대 지수 바로 위까지; 끄면 범위가 고정됩니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>From file…</source>
+      <translation>파일에서…</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>General</source>
       <translation>일반</translation>
@@ -464,9 +524,19 @@
       <translation>모든 부품에 원래 색상을 되돌려 줍니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Gives the machine its former tolerances back</source>
+      <translation>기계에 이전 공차를 되돌려 줍니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Gives the selected errors the limits ± this value</source>
       <translation>선택한 오차의 한계를 ± 이 값으로 합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Grade</source>
+      <translation>등급</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -542,6 +612,21 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Jog {name}</source>
       <translation>{name} 조그</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Keep</source>
+      <translation>보관</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Keeps what is tried in a list, to compare it with others</source>
+      <translation>시도한 내용을 목록에 보관해 다른 것과 비교합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/scenarios.py" />
+      <source>Kept</source>
+      <translation>보관됨</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -719,6 +804,11 @@
       <translation>읽는 동안 발견한 사항:</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Now</source>
+      <translation>지금</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>목적 함수</translation>
@@ -854,6 +944,11 @@
       <translation>축당 위치 수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Prices of tolerances</source>
+      <translation>공차의 가격</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
@@ -877,6 +972,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Readings</source>
       <translation>측정값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
+      <translation>가격을 읽습니다: symbol, kind, c, k, lower, upper 또는 등급(Allocation 참조)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1055,13 +1155,48 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share</source>
+      <translation>몫</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Share now</source>
+      <translation>현재 몫</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
+      <source>Share of the component in the variance</source>
+      <translation>분산에서 구성 요소의 몫</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/display.py" />
       <source>Share of the variance, 0 to 1</source>
       <translation>분산에서 차지하는 비율, 0~1</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/preferences.py" />
+      <source>Share of the variance; all shares add to 1</source>
+      <translation>분산의 몫; 모두 더하면 1</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/whatif.py" />
+      <source>Share then</source>
+      <translation>이후 몫</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>표시</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>Show only: Z, squareness, Spindle …</source>
+      <translation>이것만 표시: Z, 직각도, 스핀들 …</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>Shows the errors whose name, component or meaning has these words</source>
+      <translation>이름, 구성 요소 또는 의미에 이 단어가 있는 오차를 표시합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1075,18 +1210,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at X</source>
-      <translation>X 단면</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at Y</source>
-      <translation>Y 단면</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/review_settings.py" />
-      <source>Slice at Z</source>
-      <translation>Z 단면</translation>
+      <source>Slice at {axis}</source>
+      <translation>{axis} 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1134,16 +1259,6 @@
       <translation>제안</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Sᵀ now</source>
-      <translation>현재 Sᵀ</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>Sᵀ then</source>
-      <translation>이후 Sᵀ</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Tables (*.csv *.txt *.tsv);;All files (*)</source>
       <translation>표 (*.csv *.txt *.tsv);;모든 파일 (*)</translation>
@@ -1179,9 +1294,19 @@
       <translation>발견된 효과를 기계에서 다시 뺍니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Target</source>
+      <translation>목표</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Tells apart: {what}</source>
       <translation>구별 대상: {what}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>The error that the tolerances together may cause</source>
+      <translation>모든 공차가 함께 일으켜도 되는 오차</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1234,6 +1359,11 @@
       <translation>베드와 공구 사이의 슬라이더. 나머지는 공작물을 지지합니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>The tolerances are those of the table; Undo gives the former ones back</source>
+      <translation>공차가 표의 값으로 바뀌었습니다. 되돌리기로 이전 값을 복원합니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The tool is carried by</source>
       <translation>공구를 지지하는 슬라이더</translation>
@@ -1247,6 +1377,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The trace stopped: {error}. Nothing was changed. The report view holds the details; please send them in with the readings.</source>
       <translation>추적이 중단되었습니다: {error}. 변경된 것은 없습니다. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Then</source>
+      <translation>이후</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1320,8 +1455,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
-      <source>Total index: its share with all interactions. Bar: Sᵀ; dark inside: S</source>
-      <translation>전체 지수: 모든 상호작용을 포함한 비율. 막대: Sᵀ, 안쪽 어두운 부분: S</translation>
+      <source>Total index: the share of the variance with all interactions; they add to more than 1</source>
+      <translation>총 지수: 모든 상호작용을 포함한 분산의 몫; 합은 1보다 큽니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1352,6 +1487,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>U-shaped</source>
       <translation>U자형</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Undo</source>
+      <translation>되돌리기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1449,6 +1589,11 @@
       <translation>선언된 오차가 남긴 것은 {columns}에 의존합니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/ranking.py" />
+      <source>What the error contributes to the variance, (S + Sᵀ)/2: the shares add to 100 %. Work on the largest first</source>
+      <translation>오차가 분산에 기여하는 양, (S + Sᵀ)/2: 몫의 합은 100 %. 가장 큰 것부터 개선하십시오</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>What the map shows is chosen in the review, under Settings</source>
       <translation>지도에 표시할 내용은 검토 창의 설정에서 고릅니다</translation>
@@ -1519,9 +1664,19 @@
       <translation>테이블과 이 설명을 폴더에 씁니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Writes the tolerances to the machine, one undo step</source>
+      <translation>공차를 기계에 기록합니다. 되돌리기 한 단계</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Writes the tolerances, weights and moved scales to the machine, one undo step</source>
       <translation>공차, 가중치, 옮긴 스케일을 기계에 기록합니다(실행 취소 한 단계)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Writes the tolerances, what other targets cost, and a report</source>
+      <translation>공차, 다른 목표의 비용, 보고서를 기록합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1634,6 +1789,11 @@
       <translation>배치 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>at most</source>
+      <translation>최대</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>bed</source>
       <translation>베드</translation>
@@ -1699,7 +1859,7 @@
       <translation>오차: 실제값 − 지령값</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>fails</source>
       <translation>불합격</translation>
     </message>
@@ -1739,6 +1899,11 @@
       <translation>절반</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>halving a tolerance doubles its cost</source>
+      <translation>공차를 반으로 줄이면 비용이 두 배</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>ignored</source>
       <translation>무시</translation>
@@ -1765,8 +1930,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>largest component then: {name}, Sᵀ = {value}</source>
-      <translation>그때 가장 큰 구성요소: {name}, Sᵀ = {value}</translation>
+      <source>largest share then: {name}, {value}</source>
+      <translation>이후 가장 큰 몫: {name}, {value}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1799,7 +1964,7 @@
       <translation>한 위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>passes</source>
       <translation>합격</translation>
     </message>
@@ -1827,6 +1992,21 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>rivals that these readings cannot tell from it: {n}</source>
       <translation>이 측정값으로 구별할 수 없는 경쟁 후보: {n}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms at the worst place</source>
+      <translation>가장 나쁜 위치의 rms</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms over the workspace</source>
+      <translation>작업 공간 전체의 rms</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>rms {before} → {after} µm, at the worst place {worst_before} → {worst_after} µm.</source>
+      <translation>rms {before} → {after} µm, 가장 나쁜 위치 {worst_before} → {worst_after} µm.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2105,6 +2285,19 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Adds the found effects to the machine, each under its body</source>
       <translation>발견된 효과를 각 부분 아래에 추가합니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Allocate</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Allocate Tolerances…</source>
+      <translation>공차 배분…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Finds the cheapest tolerances that meet a target, and applies them</source>
+      <translation>목표를 만족하는 가장 싼 공차를 찾아 적용합니다</translation>
     </message>
   </context>
   <context>

@@ -41,6 +41,14 @@ def objective(text: str) -> objectives.Objective:
     return objectives.from_json(data)
 
 
+def has_shares(text: str) -> bool:
+    """Whether the indices of an objective are shares of a variance; True where it is not registered."""
+    try:
+        return objective(text).has_shares
+    except Refused:
+        return True
+
+
 def objective_data(text: str):
     """What `objective` would read, for comparison: plain data, or the text where it is no objective."""
     try:

@@ -15,6 +15,7 @@ from .qt import QT_TRANSLATE_NOOP, translate
 @command
 class Sensitivity(Command):
     name = "Sens_Sensitivity"
+    keys = "Y, S"
     menu_text = QT_TRANSLATE_NOOP("Sens_Sensitivity", "Sensitivity")
     tip = QT_TRANSLATE_NOOP(
         "Sens_Sensitivity", "Computes the indices of every error, colours the parts and shows the ranking"
@@ -34,6 +35,7 @@ class Sensitivity(Command):
 @command
 class Review(Command):
     name = "Sens_Review"
+    keys = "Y, R"
     menu_text = QT_TRANSLATE_NOOP("Sens_Review", "Review")
     tip = QT_TRANSLATE_NOOP("Sens_Review", "Shows the ranking, the components and what-if beside the model")
     guide, beside = "3. Sensitivity", True
@@ -46,6 +48,7 @@ class Review(Command):
 @command
 class ErrorMap(Command):
     name = "Sens_ErrorMap"
+    keys = "Y, M"
     menu_text = QT_TRANSLATE_NOOP("Sens_ErrorMap", "Error Map")
     tip = QT_TRANSLATE_NOOP(
         "Sens_ErrorMap", "Shows the error over the workspace as coloured points or a slice, or hides it"
@@ -69,6 +72,7 @@ class ErrorMap(Command):
 @command
 class OriginalColours(Command):
     name = "Sens_OriginalColours"
+    keys = "Y, O"
     menu_text = QT_TRANSLATE_NOOP("Sens_OriginalColours", "Original Colours")
     tip = QT_TRANSLATE_NOOP(
         "Sens_OriginalColours",

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from .qt import Qt, QtCore, QtGui, Signal, translate
 
-BAR = Qt.UserRole + 1  # (first, total, largest, (r, g, b)) of a cell
+BAR = Qt.UserRole + 1  # (share, largest, (r, g, b)) of a cell
 
 
 def qcolour(rgb, alpha: float = 1.0):
@@ -13,15 +13,20 @@ def qcolour(rgb, alpha: float = 1.0):
     return QtGui.QColor.fromRgbF(*[min(max(float(c), 0.0), 1.0) for c in rgb], alpha)
 
 
+def percent(share: float) -> str:
+    """A share in per cent, with one decimal."""
+    return f"{100 * share:.1f} %"
+
+
 class BarDelegate(QtGui.QStyledItemDelegate):
-    """Paints the total index as a bar, the first-order index as a darker one inside it, and the number."""
+    """Paints a share as a bar, and in per cent."""
 
     def paint(self, pen, option, index):
         data = index.data(BAR)
         if data is None:
             super().paint(pen, option, index)
             return
-        first, total, largest, colour = data
+        share, largest, colour = data
         pen.save()
         if option.state & QtGui.QStyle.State_Selected:
             pen.fillRect(option.rect, option.palette.highlight())
@@ -30,16 +35,11 @@ class BarDelegate(QtGui.QStyledItemDelegate):
         scale = width / largest if largest > 0 else 0.0
         pen.setPen(QtGui.QPen(QtGui.QColor(90, 100, 110), 0.8))
         pen.setBrush(qcolour(colour))
-        pen.drawRect(QtCore.QRectF(box.x(), box.y(), max(1.0, total * scale), box.height()))
-        if first > 0:
-            pen.setPen(Qt.NoPen)
-            pen.setBrush(QtGui.QColor(20, 25, 30, 150))
-            height = box.height() * 0.4
-            pen.drawRect(QtCore.QRectF(box.x(), box.center().y() - height / 2, max(1.0, first * scale), height))
+        pen.drawRect(QtCore.QRectF(box.x(), box.y(), max(1.0, share * scale), box.height()))
         selected = option.state & QtGui.QStyle.State_Selected
         role = QtGui.QPalette.HighlightedText if selected else QtGui.QPalette.Text
         pen.setPen(option.palette.color(role))
-        pen.drawText(option.rect.adjusted(0, 0, -6, 0), Qt.AlignRight | Qt.AlignVCenter, f"{total:.4f}")
+        pen.drawText(option.rect.adjusted(0, 0, -6, 0), Qt.AlignRight | Qt.AlignVCenter, percent(share))
         pen.restore()
 
     def sizeHint(self, option, index):
@@ -47,7 +47,7 @@ class BarDelegate(QtGui.QStyledItemDelegate):
 
 
 class ComponentBars(QtGui.QWidget):
-    """One block per component: S and Sᵀ of the component, below them the Sᵀ of its errors side by side.
+    """One block per component: its share of the variance, and below it the shares of its errors side by side.
 
     `picked` is emitted with the body letter when a block is clicked.
     """
@@ -57,7 +57,7 @@ class ComponentBars(QtGui.QWidget):
 
     def __init__(self, parent=None):
         super().__init__(parent)
-        self.blocks = []  # (body, name, first, total, colour, [(symbol, total)])
+        self.blocks = []  # (body, name, share, first, total, colour, [(symbol, share)])
         self.chosen = ""
         self.setMinimumWidth(240)
         self.setMouseTracking(True)
@@ -90,12 +90,12 @@ class ComponentBars(QtGui.QWidget):
         ink = palette.color(QtGui.QPalette.WindowText)
         left, right = 10, 62
         width = self.width() - left - right
-        top = max([t for *_, t, _, _ in self.blocks] + [sum(v for _, v in b[5]) for b in self.blocks], default=1.0)
+        top = max([block[2] for block in self.blocks], default=1.0)
         scale = width / top if top > 0 else 0.0
         font = QtGui.QFont(self.font())
         small = QtGui.QFont(font)
         small.setPointSizeF(max(6.5, font.pointSizeF() * 0.8))
-        for i, (body, name, first, total, colour, errors) in enumerate(self.blocks):
+        for i, (body, name, share, first, total, colour, errors) in enumerate(self.blocks):
             y = 6 + i * self.BLOCK
             if body == self.chosen:
                 shade = QtGui.QColor(palette.color(QtGui.QPalette.Highlight))
@@ -104,26 +104,28 @@ class ComponentBars(QtGui.QWidget):
             font.setBold(True)
             pen.setFont(font)
             pen.setPen(ink)
-            pen.drawText(QtCore.QRectF(left, y, width + right, 18), Qt.AlignLeft | Qt.AlignVCenter, name)
+            box = QtCore.QRectF(left, y, width + right - left, 18)
+            pen.drawText(box, Qt.AlignLeft | Qt.AlignVCenter, name)
             font.setBold(False)
+            pen.setFont(small)
+            pen.drawText(box, Qt.AlignRight | Qt.AlignVCenter, f"S {first:.3f}   Sᵀ {total:.3f}")
             pen.setFont(font)
             pen.setPen(QtGui.QPen(ink, 0.6))
             pen.setBrush(qcolour(colour))
-            pen.drawRect(QtCore.QRectF(left, y + 19, max(1.0, total * scale), 15))
-            pen.setPen(Qt.NoPen)
-            pen.setBrush(QtGui.QColor(20, 25, 30, 150))
-            pen.drawRect(QtCore.QRectF(left, y + 24, max(1.0, first * scale), 5))
+            pen.drawRect(QtCore.QRectF(left, y + 19, max(1.0, share * scale), 15))
             pen.setPen(ink)
             pen.drawText(
-                QtCore.QRectF(left + total * scale + 5, y + 19, right, 15),
+                QtCore.QRectF(left + share * scale + 5, y + 19, right, 15),
                 Qt.AlignLeft | Qt.AlignVCenter,
-                f"{total:.3f}",
+                percent(share),
             )
             self._stack(pen, small, ink, left, y + 38, scale, colour, errors)
         y = 8 + len(self.blocks) * self.BLOCK
         pen.setFont(small)
         pen.setPen(ink)
-        text = translate("Sens", "Bar: Sᵀ of the component; dark: S. Below: Sᵀ of its errors, one after the other.")
+        text = translate(
+            "Sens", "Bar: share of the component in the variance. Below: the shares of its errors, which add to it."
+        )
         pen.drawText(QtCore.QRectF(left, y, self.width() - 2 * left, 34), Qt.AlignLeft | Qt.TextWordWrap, text)
         pen.end()
 

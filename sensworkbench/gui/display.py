@@ -11,7 +11,7 @@ from pivy import coin
 from ..core.errors import AXES
 from ..core.joints import KINDS
 from ..core.refusal import Refused
-from ..document import tree
+from ..document import told, tree
 from ..document.base import alive, kind_of
 from . import colours, live, state
 from .colormap import Scale, automatic
@@ -29,8 +29,19 @@ def ready(result) -> bool:
 
 def values(result) -> dict[str, float]:
     """Body -> the index that its parts show."""
-    chosen = getattr(result, COLOUR_BY[result.ViewObject.ColourBy])
-    return dict(zip(result.Bodies, chosen))
+    return dict(zip(result.Bodies, mean_of(result, COLOUR_BY[result.ViewObject.ColourBy])))
+
+
+def mean_of(result, properties) -> list[float]:
+    """The mean of lists of a result, entry by entry: of S and Sᵀ, the shares that add to one (Owen 2014)."""
+    return [sum(row) / len(properties) for row in zip(*(getattr(result, name) for name in properties))]
+
+
+def values_at(result, found) -> dict[str, float]:
+    """Body -> the index that parts show, of indices at one position.  found : `core.workspace.Sensitivity`."""
+    chosen = result.ViewObject.ColourBy if result is not None else "Share"
+    shown = {"Share": found.component_share, "First order": found.component_first}.get(chosen, found.component_total)
+    return dict(zip(found.bodies, shown.tolist()))
 
 
 def scale(result) -> Scale:
@@ -44,13 +55,15 @@ def scale(result) -> Scale:
 def lasting(result, shown) -> Scale:
     """The automatic range for some values.  It stays while they fill it, so that colours can be compared.
 
-    A new computation of the result (`compute_and_colour`) takes it anew.
+    A new computation of the result (`compute_and_colour`) takes it anew; what undo brings back has its own colours.
     """
     shown = [v for v in shown if v is not None]
     found, ranges = automatic(shown, result.ViewObject.ColourMap), state.of(result.Document).ranges
-    kept, largest = ranges.get(result.Name), max(shown, default=0.0)
+    here, largest = f"{result.Name} {hash(result.Inputs)}", max(shown, default=0.0)
+    kept = ranges.get(here, ranges.get(result.Name))
     if kept is None or not FILLED * kept <= largest <= kept:
-        kept = ranges[result.Name] = found.upper
+        kept = found.upper
+    ranges[result.Name] = ranges[here] = kept
     return Scale(0.0, kept, found.name)
 
 
@@ -60,6 +73,7 @@ FILLED = 0.4  # the part of the range below which the largest value would be har
 def title(result) -> str:
     """Return the title of the legend: which index the colours show."""
     return {
+        "Share": translate("Sens", "Share of the component in the variance"),
         "Mean": translate("Sens", "Total index Sᵀ of the component"),
         "Largest": translate("Sens", "Largest total index Sᵀ of the component"),
         "Variance weighted": translate("Sens", "Variance-weighted total index Sᵀ"),
@@ -70,7 +84,7 @@ def title(result) -> str:
 def legend_text(machine, result) -> LegendText:
     """Return the lines of the legend: title, unit, positions, objective and convention."""
     lines = [
-        translate("Sens", "Share of the variance, 0 to 1"),
+        unit_line(result),
         positions_text(result),
         objective_text(result),
         square_text(result),
@@ -78,19 +92,30 @@ def legend_text(machine, result) -> LegendText:
     if result.Stale:
         lines.append(translate("Sens", "Out of date: the machine has changed"))
     marks = tuple((body_name(machine, b), v) for b, v in values(result).items())
-    short = "S" if result.ViewObject.ColourBy == "First order" else "Sᵀ"
     note = translate("Sens", "Out of date") if result.Stale else ""
-    return LegendText(title(result), "", "\n".join(lines), translate("Sens", "no index"), marks, short, note)
+    return LegendText(title(result), "", "\n".join(lines), translate("Sens", "no index"), marks, symbol(result), note)
 
 
-def position_legend(machine, totals: dict[str, float], position: dict[str, float]) -> LegendText:
-    """The legend while the colours are those of one position."""
+def symbol(result) -> str:
+    """What the colours show, in a word that fits a narrow view or a column."""
+    chosen = result.ViewObject.ColourBy if result is not None else "Share"
+    return {"Share": translate("Sens", "Share"), "First order": "S"}.get(chosen, "Sᵀ")
+
+
+def unit_line(result) -> str:
+    """What the numbers of the legend are, and their range."""
+    if told.has_shares(result.Objective):
+        return translate("Sens", "Share of the variance, 0 to 1")
+    return translate("Sens", "Contribution to Y; the contributions add to 1")
+
+
+def position_legend(machine, result, shown: dict[str, float], position: dict[str, float]) -> LegendText:
+    """The legend while the colours are those of one position.  shown : body -> its index there."""
     where = position_words({name: f"{value:.1f}" for name, value in position.items()})
-    marks = tuple((body_name(machine, b), v) for b, v in totals.items())
-    lines = (translate("Sens", "Share of the variance, 0 to 1"), where)
-    head = translate("Sens", "Total index Sᵀ of the component")
+    marks = tuple((body_name(machine, b), v) for b, v in shown.items())
     note = translate("Sens", "one position")
-    return LegendText(head, "", "\n".join(lines), translate("Sens", "no index"), marks, "Sᵀ", note)
+    lines = "\n".join((unit_line(result), where))
+    return LegendText(title(result), "", lines, translate("Sens", "no index"), marks, symbol(result), note)
 
 
 def update(result, *, fresh: bool = False) -> None:
@@ -140,7 +165,8 @@ def sliding_axes(machine) -> list[str]:
     """Names of the axes of a machine that move along a line; X, Y and Z where there is no machine yet."""
     if machine is None:
         return list(AXES)
-    return [o.Axis for o in tree.bodies(machine).values() if kind_of(o) == "Axis" and not KINDS[o.Kind].angular]
+    owners = tree.bodies(machine)
+    return [name for name in tree.joint_names(owners) if not KINDS[owners[name].Kind].angular]
 
 
 def key_corner(obj) -> str:

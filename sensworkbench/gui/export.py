@@ -104,6 +104,7 @@ def save_picture(doc) -> None:
 @command
 class Report(Command):
     name = "Sens_Report"
+    keys = "Y, P"
     menu_text = QT_TRANSLATE_NOOP("Sens_Report", "Export Report…")
     tip = QT_TRANSLATE_NOOP("Sens_Report", "Writes the ranking as HTML with a picture of the view, and as JSON and CSV")
     needs, guide = "result", "7. Take it with you"

@@ -3,11 +3,12 @@
 
 from __future__ import annotations
 
-COLOUR_BY = {  # choice -> the property of the result that the parts show
-    "Mean": "ComponentTotal",
-    "Largest": "ComponentTotalMax",
-    "Variance weighted": "ComponentTotalWeighted",
-    "First order": "ComponentFirst",
+COLOUR_BY = {  # choice -> the properties of the result whose mean the parts show
+    "Share": ("ComponentFirst", "ComponentTotal"),
+    "Mean": ("ComponentTotal",),
+    "Largest": ("ComponentTotalMax",),
+    "Variance weighted": ("ComponentTotalWeighted",),
+    "First order": ("ComponentFirst",),
 }
 MAP_SHOWS = ("Expected", "Upper estimate")
 POINTS = "Points"  # how the error map is drawn, or "Slice " and the name of the axis that is held

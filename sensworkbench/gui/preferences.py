@@ -82,6 +82,7 @@ class PreferencePage:
 def colour_by_choices():
     """Return (stored value, text) of each index that colours can show."""
     return [
+        ("Share", translate("Sens", "Share of the variance; all shares add to 1")),
         ("Mean", translate("Sens", "Total index, mean over the positions")),
         ("Largest", translate("Sens", "Total index, largest over the positions")),
         ("Variance weighted", translate("Sens", "Total index, weighted by the variance")),

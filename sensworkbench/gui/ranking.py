@@ -12,13 +12,13 @@ from .copying import copyable
 from .qt import Qt, QtGui, Signal, translate
 from .texts import body_name, distribution_name, limits, meaning, short_name
 
-RANK, ERROR, TOTAL, FIRST, TOLERANCE, OWNER, MEANING = range(7)
+RANK, ERROR, SHARE, TOTAL, FIRST, TOLERANCE, OWNER, MEANING = range(8)
 
 
 WIDEST = {ERROR: 90, MEANING: 130, OWNER: 110, TOLERANCE: 80}  # pixels; the tool tip says the rest
 
 
-class _Item(QtGui.QTreeWidgetItem):
+class NumericItem(QtGui.QTreeWidgetItem):
     """Sorts numbers as numbers."""
 
     def __lt__(self, other):
@@ -37,37 +37,38 @@ def angular(symbol: str, known) -> bool:
 # where the values of a row stand: all that may change from one result to the next
 PLACES = tuple(
     [(column, role) for column in range(MEANING + 1) for role in (Qt.DisplayRole, Qt.ToolTipRole)]
-    + [(column, Qt.UserRole) for column in (RANK, FIRST, TOTAL, TOLERANCE)]
-    + [(TOTAL, BAR), (OWNER, Qt.UserRole + 2), (OWNER, Qt.DecorationRole)]
+    + [(column, Qt.UserRole) for column in (RANK, SHARE, FIRST, TOTAL, TOLERANCE)]
+    + [(SHARE, BAR), (OWNER, Qt.UserRole + 2), (OWNER, Qt.DecorationRole)]
 )
 
 
 def _rows(machine, result) -> dict[tuple[str, int], list]:
-    """Return (symbol, number of earlier rows with it) -> values of its row, in the order of PLACES; the largest index
+    """Return (symbol, number of earlier rows with it) -> values of its row, in the order of PLACES; the largest share
     first.
 
     Only traced effects can share a name.
     """
     scale, shown, known = display.scale(result), display.values(result), components(machine)
     named = {s: (short_name(machine, s), meaning(machine, s, known)) for s in dict.fromkeys(result.Symbols)}
-    largest = max(result.Total, default=0.0)
+    shares = display.mean_of(result, ("First", "Total"))
+    largest = max(shares, default=0.0)
     owners = {o: (body_name(machine, o), tuple(scale.colour(shown.get(o)))) for o in dict.fromkeys(result.Owners)}
     errors = sorted(
         zip(result.Symbols, result.Owners, result.Lower, result.Upper, result.Units, result.Distributions,
-            result.First, result.Total),
-        key=lambda r: -round(r[7], 12),
+            result.First, result.Total, shares),
+        key=lambda r: -round(r[8], 12),
     )  # fmt: skip
     rows, seen = {}, Counter()
-    for rank, (symbol, owner, low, high, unit, law, first, total) in enumerate(errors, start=1):
+    for rank, (symbol, owner, low, high, unit, law, first, total, share) in enumerate(errors, start=1):
         name, colour = owners[owner]
         tolerance = limits(low, high, unit, unit not in ("um", "mm", "nm"))
-        texts = (str(rank), named[symbol][0], "", f"{first:.4f}", tolerance, name, named[symbol][1])
+        texts = (str(rank), named[symbol][0], "", f"{total:.4f}", f"{first:.4f}", tolerance, name, named[symbol][1])
         tips = [*texts]
         tips[ERROR] = named[symbol][1]
         tips[TOLERANCE] += f", {distribution_name(law)}"
         values = [value for pair in zip(texts, tips) for value in pair]
-        values += [float(rank), float(first), float(total), float(high - low)]
-        rows[symbol, seen[symbol]] = [*values, (first, total, largest, colour), owner, colour]
+        values += [float(rank), float(share), float(first), float(total), float(high - low)]
+        rows[symbol, seen[symbol]] = [*values, (share, largest, colour), owner, colour]
         seen[symbol] += 1
     return rows
 
@@ -96,23 +97,37 @@ class Ranking(QtGui.QWidget):
         self.table.setUniformRowHeights(True)
         self.table.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.table.setHeaderLabels([
-            "#", translate("Sens", "Error"), "Sᵀ", "S", translate("Sens", "Tolerance"), translate("Sens", "Component"),
-            translate("Sens", "Meaning"),
+            "#", translate("Sens", "Error"), translate("Sens", "Share"), "Sᵀ", "S", translate("Sens", "Tolerance"),
+            translate("Sens", "Component"), translate("Sens", "Meaning"),
         ])  # fmt: skip
         tips = {
             FIRST: translate("Sens", "First-order index: the share of the variance that the error has by itself"),
-            TOTAL: translate("Sens", "Total index: its share with all interactions. Bar: Sᵀ; dark inside: S"),
+            TOTAL: translate(
+                "Sens", "Total index: the share of the variance with all interactions; they add to more than 1"
+            ),
+            SHARE: translate(
+                "Sens",
+                "What the error contributes to the variance, (S + Sᵀ)/2: the shares add to 100 %. "
+                "Work on the largest first",
+            ),
         }
         for column, tip in tips.items():
             self.table.headerItem().setToolTip(column, tip)
         self._delegate = BarDelegate()
-        self.table.setItemDelegateForColumn(TOTAL, self._delegate)
+        self.table.setItemDelegateForColumn(SHARE, self._delegate)
         self.table.setSortingEnabled(True)
         self.table.sortByColumn(RANK, Qt.AscendingOrder)
         self.table.itemSelectionChanged.connect(self._selected)
         # what an error is stands beside its index: readable without scrolling in a narrow dock
         self.table.header().moveSection(self.table.header().visualIndex(MEANING), 3)
         copyable(self.table, "ranking.csv")
+        self.filter = QtGui.QLineEdit()
+        self.filter.setObjectName("SensFilter")
+        self.filter.setClearButtonEnabled(True)
+        self.filter.setPlaceholderText(translate("Sens", "Show only: Z, squareness, Spindle …"))
+        self.filter.setToolTip(translate("Sens", "Shows the errors whose name, component or meaning has these words"))
+        self.filter.textChanged.connect(self._filter)
+        layout.addWidget(self.filter)
         layout.addWidget(self.table)
         self._quiet = False
         self._sized: tuple = ()  # the rows that the columns were made to fit
@@ -127,15 +142,23 @@ class Ranking(QtGui.QWidget):
         else:
             self._update_rows(rows)
         self._rows = rows
+        self._filter()
         self._quiet = False
         if result is not None and self._sized != tuple(rows):
             self._sized = tuple(rows)
             for column in range(MEANING + 1):
                 self.table.resizeColumnToContents(column)
-            self.table.setColumnWidth(TOTAL, 104)
+            self.table.setColumnWidth(SHARE, 104)
             self.table.setColumnWidth(RANK, 36)
             for column, most in WIDEST.items():
                 self.table.setColumnWidth(column, min(most, self.table.columnWidth(column)))
+
+    def _filter(self, *_) -> None:
+        """Hide the rows that do not have every word of the filter in their name, component or meaning."""
+        words = self.filter.text().casefold().split()
+        for item in self.items():
+            text = " ".join(item.text(c) for c in (ERROR, OWNER, MEANING)).casefold()
+            item.setHidden(not all(word in text for word in words))
 
     def forget(self) -> None:
         """Take all rows away, and with them what was chosen."""
@@ -148,9 +171,9 @@ class Ranking(QtGui.QWidget):
         kept = {i.text(ERROR) for i in self.table.selectedItems()}
         self.table.setSortingEnabled(False)
         self.table.clear()
-        self._items = {key: _Item(self.table) for key in rows}
+        self._items = {key: NumericItem(self.table) for key in rows}
         for key, item in self._items.items():
-            for column in (FIRST, RANK, TOLERANCE):
+            for column in (TOTAL, FIRST, RANK, TOLERANCE):
                 item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
             for place, value in zip(PLACES, rows[key]):
                 _write(item, *place, value)

@@ -371,15 +371,10 @@ def _blocks(machine, result):
     """What the component bars show, largest first."""
     scale = display.scale(result)
     shown = display.values(result)
+    shares = list(zip(result.Symbols, result.Owners, display.mean_of(result, ("First", "Total"))))
+    whole = display.mean_of(result, ("ComponentFirst", "ComponentTotal"))
     blocks = []
-    for body, first, total in zip(result.Bodies, result.ComponentFirst, result.ComponentTotal):
-        errors = sorted(
-            (
-                (short_name(machine, s), t)
-                for s, o, t in zip(result.Symbols, result.Owners, result.Total)
-                if o == body and t > 0
-            ),
-            key=lambda e: -e[1],
-        )
-        blocks.append((body, body_name(machine, body), first, total, scale.colour(shown.get(body)), errors))
-    return sorted(blocks, key=lambda b: -b[3])
+    for body, share, first, total in zip(result.Bodies, whole, result.ComponentFirst, result.ComponentTotal):
+        errors = sorted(((short_name(machine, s), v) for s, o, v in shares if o == body and v > 0), key=lambda e: -e[1])
+        blocks.append((body, body_name(machine, body), share, first, total, scale.colour(shown.get(body)), errors))
+    return sorted(blocks, key=lambda b: -b[2])

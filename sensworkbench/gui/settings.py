@@ -10,7 +10,7 @@ PATH = "User parameter:BaseApp/Preferences/Mod/SensWorkbench"
 # name: (default, meaning)
 DEFAULTS = {
     "ColourMap": "viridis",
-    "ColourBy": "Mean",
+    "ColourBy": "Share",
     "AutomaticRange": True,
     "RangeLower": 0.0,
     "RangeUpper": 1.0,

@@ -16,7 +16,8 @@ class DocumentState:
 
     sizes : machine -> its extent in mm, to which arrows are matched.  answering : machines whose indices are about to
     be computed again.  adopting : the document is about to be taken over.  examined : it was looked at for damage.
-    ranges : result -> upper end of its automatic colours.
+    ranges : result, and result with its inputs -> upper end of its automatic colours.
+    scenarios : machine -> what-if scenarios that are kept.
     quiet : above zero while the program itself selects, which chooses nothing.
     """
 
@@ -24,6 +25,7 @@ class DocumentState:
     panel: object = None
     sizes: dict[str, float] = field(default_factory=dict)
     ranges: dict[str, float] = field(default_factory=dict)
+    scenarios: dict[str, list] = field(default_factory=dict)
     answering: set[str] = field(default_factory=set)
     adopting: bool = False
     examined: bool = False

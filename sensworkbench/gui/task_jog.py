@@ -12,7 +12,7 @@ from ..core import workspace
 from ..core.refusal import Refused
 from ..document import drive, extract, tree
 from ..document import jog as moving
-from . import colours, display, messages, pointers
+from . import colours, display, messages, pointers, state
 from .command import Command, Where, command
 from .current import current_machine
 from .panel import Panel
@@ -38,6 +38,7 @@ class TaskJog(Panel):
         self.names, self.bodies = found.core.names, found.core.bodies
         self.held = drive.held_by_sliders(machine)
         self.core = None
+        self.ranges = dict(state.of(machine.Document).ranges)  # of colours, as they are again when the panel is closed
         self._sized = False
         self.document.openTransaction(translate("Sens", "Jog"))
         self._timer = QtCore.QTimer()
@@ -97,7 +98,8 @@ class TaskJog(Panel):
         table = QtGui.QTableWidget(len(self.bodies), 6)
         table.setObjectName("SensOffsets")
         table.setHorizontalHeaderLabels([
-            translate("Sens", "Abbe offset / mm"), "x", "y", "z", "|r|", "Sᵀ"
+            translate("Sens", "Abbe offset / mm"), "x", "y", "z", "|r|",
+            display.symbol(tree.sensitivity_of(self.machine)),
         ])  # fmt: skip
         table.verticalHeader().hide()
         table.setEditTriggers(QtGui.QAbstractItemView.NoEditTriggers)
@@ -173,7 +175,7 @@ class TaskJog(Panel):
         display.ask_for_frame()
 
     def _indices(self) -> dict[str, float]:
-        """Total index of each component at the position; the parts take it as colour where that is asked for."""
+        """Index of each component at the position; the parts take it as colour where that is asked for."""
         try:
             if self.core is None:
                 self.core = extract.core_machine(self.machine)  # at home: jogging does not change it
@@ -182,14 +184,14 @@ class TaskJog(Panel):
         except Refused as error:
             self.note.setText(messages.words(error))
             return {}
-        totals = dict(zip(found.bodies, found.component_total.tolist()))
         result = tree.sensitivity_of(self.machine)
+        totals = display.values_at(result, found)
         if result is not None and result.Coloured:
             view = result.ViewObject
             if self.follow.isChecked():
                 scale = display.scale(result) if not view.AutomaticRange else display.lasting(result, totals.values())
                 colours.apply(self.machine, result, totals, scale)
-                view.Proxy.legend.show(display.position_legend(self.machine, totals, self.position), scale,
+                view.Proxy.legend.show(display.position_legend(self.machine, result, totals, self.position), scale,
                                        view.LegendCorner)  # fmt: skip
             else:
                 display.update(result)
@@ -202,6 +204,7 @@ class TaskJog(Panel):
     # -- the panel ---------------------------------------------------------------------------------------------------
     def leave(self):
         self._timer.stop()
+        state.of(self.machine.Document).ranges.update(self.ranges)
         pointers.clear(self.machine)
 
     def close(self) -> None:
@@ -237,6 +240,7 @@ def jog(machine):
 @command
 class Jog(Command):
     name = "Sens_Jog"
+    keys = "Y, J"
     menu_text = QT_TRANSLATE_NOOP("Sens_Jog", "Jog…")
     tip = QT_TRANSLATE_NOOP("Sens_Jog", "Moves the axes and all they carry; shows the Abbe offsets as arrows")
     guide = TaskJog.guide

@@ -539,6 +539,7 @@ class NewMachine(Command):
 @command
 class EditMachine(Command):
     name = "Sens_EditMachine"
+    keys = "Y, E"
     menu_text = QT_TRANSLATE_NOOP("Sens_EditMachine", "Edit Machine…")
     tip = QT_TRANSLATE_NOOP("Sens_EditMachine", "Changes chains, carriages, directions, reference points and travel")
     guide = TaskMachine.guide

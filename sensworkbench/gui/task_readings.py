@@ -351,6 +351,7 @@ def import_readings(machine, path):
 @command
 class ImportReadings(Command):
     name = "Sens_ImportReadings"
+    keys = "Y, I"
     menu_text = QT_TRANSLATE_NOOP("Sens_ImportReadings", "Import Readings…")
     tip = QT_TRANSLATE_NOOP(
         "Sens_ImportReadings", "Reads a table of measured errors: laser, ballbar, diagonals, tracker or probe"

@@ -388,6 +388,7 @@ def edit_tolerances(machine):
 @command
 class Tolerances(Command):
     name = "Sens_Tolerances"
+    keys = "Y, T"
     menu_text = QT_TRANSLATE_NOOP("Sens_Tolerances", "Tolerances…")
     tip = QT_TRANSLATE_NOOP("Sens_Tolerances", "Edits limits and distribution of every error in a table")
     guide = TaskTolerances.guide

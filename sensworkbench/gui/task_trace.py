@@ -374,6 +374,7 @@ def open_panel(table, start: bool = False):
 @command
 class Fit(Command):
     name = "Sens_Fit"
+    keys = "Y, F"
     menu_text = QT_TRANSLATE_NOOP("Sens_Fit", "Fit Declared Errors…")
     tip = QT_TRANSLATE_NOOP(
         "Sens_Fit", "Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart"
@@ -389,6 +390,7 @@ class Fit(Command):
 @command
 class Trace(Fit):
     name = "Sens_Trace"
+    keys = "Y, C"
     menu_text = QT_TRANSLATE_NOOP("Sens_Trace", "Trace…")
     tip = QT_TRANSLATE_NOOP("Sens_Trace", "Searches for the effect that explains what the declared errors leave over")
     where = Where("loop", 30, tree=("Readings",), double=("Trace",))
@@ -410,6 +412,7 @@ class AddEffect(Command):
 @command
 class Residuals(Command):
     name = "Sens_Residuals"
+    keys = "Y, D"
     menu_text = QT_TRANSLATE_NOOP("Sens_Residuals", "Residuals")
     tip = QT_TRANSLATE_NOOP(
         "Sens_Residuals", "Shows the residuals before and after as arrows in the workspace, or hides them"

@@ -106,18 +106,18 @@ def distribution_name(name: str) -> str:
     }[name]
 
 
-def plain(value: float) -> str:
-    """A number without needless digits."""
-    return f"{value:.6g}"
+def plain(value: float, digits: int = 6) -> str:
+    """A number with at most so many significant digits, and none that is needless."""
+    return f"{value:.{digits}g}"
 
 
-def limits(lower: float, upper: float, unit: str, angular: bool) -> str:
-    """±5 µm, or -1 … 3 µm."""
+def limits(lower: float, upper: float, unit: str, angular: bool, digits: int = 6) -> str:
+    """±5 µm, or -1 … 3 µm, with so many significant digits."""
     a, b = (shown(v, unit, angular=angular) for v in (lower, upper))
     sign = unit_sign(unit)
     if abs(a + b) <= 1e-9 * max(abs(a), abs(b), 1e-30):
-        return f"±{plain(b)} {sign}"
-    return f"{plain(a)} … {plain(b)} {sign}"
+        return f"±{plain(b, digits)} {sign}"
+    return f"{plain(a, digits)} … {plain(b, digits)} {sign}"
 
 
 def positions_text(result) -> str:

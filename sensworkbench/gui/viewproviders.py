@@ -75,6 +75,10 @@ class ViewProviderSensitivity(ViewProviderSens):
     def _declare(self, vobj):
         def add(kind, name, tip, value, choices=None):
             if hasattr(vobj, name):
+                if name == "ColourBy" and vobj.getEnumerationsOfProperty(name) != list(
+                    choices
+                ):  # of an earlier version
+                    setattr(vobj, name, list(choices))  # keeps what is chosen
                 return
             vobj.addProperty(f"App::Property{kind}", name, "Sensitivity", tip)
             if choices:
@@ -144,7 +148,14 @@ class ViewProviderSensitivity(ViewProviderSens):
             self._waiting = False  # what the update itself has stored asks for no second one
 
 
-_SHOWN = {"Coloured", "Stale", "Bodies", "Variance", "MeanSquare", *COLOUR_BY.values()}
+_SHOWN = {
+    "Coloured",
+    "Stale",
+    "Bodies",
+    "Variance",
+    "MeanSquare",
+    *(name for names in COLOUR_BY.values() for name in names),
+}
 _VIEW = {*VIEW_PROPERTIES, "Visibility"}
 
 PROVIDERS = {

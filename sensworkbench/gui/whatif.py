@@ -16,12 +16,14 @@ from ..core.refusal import Refused
 from ..core.units import parse
 from ..document import extract, factory, results, tables, told, tree
 from ..document.refresh import components
-from . import display, live, messages
+from . import display, live, messages, state
+from .bars import percent
 from .copying import copyable
 from .preferences import combo, number_box
 from .qt import Qt, QtGui, Signal, translate
-from .ranking import _Item, angular
-from .texts import body_name, limits, mean_name, meaning, short_name, shown_size
+from .ranking import NumericItem, angular
+from .scenarios import Scenario, ScenarioList
+from .texts import body_name, limits, mean_name, meaning, plain, short_name, shown_size
 
 ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 SYMBOL = Qt.UserRole + 2  # the error of a row, its component in the column of components
@@ -74,8 +76,8 @@ class WhatIf(QtGui.QWidget):
         self.table.setUniformRowHeights(True)
         self.table.setSelectionMode(QtGui.QAbstractItemView.ExtendedSelection)
         self.table.setHeaderLabels([
-            translate("Sens", "Error"), translate("Sens", "Change"), translate("Sens", "Sᵀ now"),
-            translate("Sens", "Sᵀ then"), translate("Sens", "Rank"), translate("Sens", "Tolerance"),
+            translate("Sens", "Error"), translate("Sens", "Change"), translate("Sens", "Share now"),
+            translate("Sens", "Share then"), translate("Sens", "Rank"), translate("Sens", "Tolerance"),
             translate("Sens", "Component"), translate("Sens", "Meaning"),
         ])  # fmt: skip
         self.table.setSortingEnabled(True)
@@ -87,7 +89,14 @@ class WhatIf(QtGui.QWidget):
         self.summary = QtGui.QLabel()
         self.summary.setWordWrap(True)
         layout.addWidget(self.summary)
+        self.scenarios = ScenarioList()
+        self.scenarios.asked.connect(self.try_scenario)
+        layout.addWidget(self.scenarios)
         row = QtGui.QHBoxLayout()
+        self.keep_button = QtGui.QPushButton(translate("Sens", "Keep"))
+        self.keep_button.setToolTip(translate("Sens", "Keeps what is tried in a list, to compare it with others"))
+        self.keep_button.clicked.connect(self.keep)
+        row.addWidget(self.keep_button)
         row.addStretch(1)
         self.reset_button = QtGui.QPushButton(translate("Sens", "Start over"))
         self.apply_button = QtGui.QPushButton(translate("Sens", "Apply"))
@@ -104,7 +113,7 @@ class WhatIf(QtGui.QWidget):
         self.moved: dict[str, tuple[float, float, float]] = {}  # axis -> shift of its scale, mm
         self._print = ""
         self._quiet = False
-        self._then = None
+        self.then = None
 
     def _value_row(self):
         """A limit typed for the selected errors, and the greatest error that is allowed."""
@@ -119,9 +128,15 @@ class WhatIf(QtGui.QWidget):
         self.allowed.setSpecialValueText("–")
         self.allowed.setKeyboardTracking(False)
         self.allowed.setToolTip(translate("Sens", "Greatest error that is allowed; what is tried passes or fails it"))
-        self.allowed.valueChanged.connect(lambda *_: self._then is not None and self._summarize())
+        self.allowed.valueChanged.connect(self._judge)
         row.addWidget(self.allowed)
         return row
+
+    def _judge(self, *_) -> None:
+        """Another error is allowed: what passes it is said anew."""
+        self.scenarios.show_scenarios(self._kept(), self.allowed.value())
+        if self.then is not None:
+            self._summarize()
 
     def set_value(self) -> None:
         """Give the selected errors the limits ± the typed value, a unit of its own included."""
@@ -193,6 +208,7 @@ class WhatIf(QtGui.QWidget):
         before = self.machine
         self.machine, self.result, self._print = machine, result, fresh
         self.setEnabled(result is not None)
+        self.scenarios.show_scenarios(self._kept(), self.allowed.value())
         names = () if machine is None else tree.joint_names(tree.bodies(machine))
         if names != tuple(self.axis.itemData(i) for i in range(self.axis.count())):
             self._quiet = True
@@ -204,6 +220,36 @@ class WhatIf(QtGui.QWidget):
             if machine is not before:  # what was selected belonged to another machine
                 self.table.clear()
             self.reset()
+
+    def _kept(self) -> list[Scenario]:
+        """The scenarios of the machine that is shown."""
+        return (
+            [] if self.machine is None else state.of(self.machine.Document).scenarios.setdefault(self.machine.Name, [])
+        )
+
+    def keep(self, *_) -> None:
+        """Keep what is tried now beside the other scenarios."""
+        if self.then is None:
+            return
+        unit, size = shown_size(self.then.objective, self.then.mean_square)
+        words = [f"{short_name(self.machine, s)} × {plain(f)}" for s, f in self.changes.items()]
+        words += [f"{name} ({', '.join(plain(v) for v in by)}) mm" for name, by in self.moved.items()]
+        weights = tuple(box.value() for box in self.weights)
+        if self._weights_changed():
+            words.append(f"{translate('Sens', 'Weights')} {', '.join(map(plain, weights))}")
+        told_words = ", ".join(words) or translate("Sens", "as it is")
+        self._kept().append(Scenario(dict(self.changes), dict(self.moved), weights, size, unit, told_words))
+        self.scenarios.show_scenarios(self._kept(), self.allowed.value())
+
+    def try_scenario(self, scenario: Scenario) -> None:
+        """Put the changes of a scenario back."""
+        self.changes, self.moved = dict(scenario.changes), dict(scenario.moved)
+        self._show_shift()
+        self._quiet = True
+        for box, value in zip(self.weights, scenario.weights):
+            box.setValue(value)
+        self._quiet = False
+        self.compute()
 
     def reset(self, *_) -> None:
         """Take back all changes."""
@@ -246,13 +292,13 @@ class WhatIf(QtGui.QWidget):
         selected = {item.data(ERROR, SYMBOL) for item in self.table.selectedItems()}
         self.table.setSortingEnabled(False)
         self.table.clear()
-        self._then = None
+        self.then = None
         try:
             if self.result is not None:
                 core, objective = self._tried()
                 then = self._indices(core, objective)
                 self._fill(core, then)
-                self._then = then
+                self.then = then
         except Refused as error:
             self.summary.setText(messages.words(error))
         except workspace.Cancelled:
@@ -262,7 +308,7 @@ class WhatIf(QtGui.QWidget):
             item = self.table.topLevelItem(i)
             item.setSelected(item.data(ERROR, SYMBOL) in selected)
         self._quiet = quiet
-        self.apply_button.setEnabled(self._then is not None and self._changed())
+        self.apply_button.setEnabled(self.then is not None and self._changed())
         self.reset_button.setEnabled(self._changed())
 
     def _indices(self, core, objective):
@@ -292,9 +338,9 @@ class WhatIf(QtGui.QWidget):
 
     def _fill(self, core, then) -> None:
         result = self.result
-        now = dict(zip(result.Symbols, result.Total))
+        now = dict(zip(result.Symbols, display.mean_of(result, ("First", "Total"))))
         units = dict(zip(result.Symbols, result.Units))
-        after = dict(zip(then.symbols, then.total.tolist()))
+        after = dict(zip(then.symbols, then.share.tolist()))
         ranks = [
             {s: i for i, s in enumerate(sorted(table, key=lambda k: -round(table[k], 12)), start=1)}
             for table in (now, after)
@@ -302,7 +348,7 @@ class WhatIf(QtGui.QWidget):
         words, known = dict(factors()), {c.symbol: c for c in core.components}
         laws = core.all_tolerances
         for symbol, owner in zip(then.symbols, then.owners):
-            item = _Item(self.table)
+            item = NumericItem(self.table)
             factor = self.changes.get(symbol, 1.0)
             law = laws.get(symbol)
             is_angle = angular(symbol, known)
@@ -314,7 +360,7 @@ class WhatIf(QtGui.QWidget):
                 change = translate("Sens", "scale moved")
             texts = (
                 short_name(self.machine, symbol), change,
-                f"{now.get(symbol, 0.0):.4f}", f"{after[symbol]:.4f}", f"{before} → {here}{arrow}",
+                percent(now.get(symbol, 0.0)), percent(after[symbol]), f"{before} → {here}{arrow}",
                 limits(law.lower, law.upper, unit, is_angle) if law else "",
                 body_name(self.machine, owner), meaning(self.machine, symbol, known),
             )  # fmt: skip
@@ -334,20 +380,20 @@ class WhatIf(QtGui.QWidget):
             self.table.resizeColumnToContents(column)
         for column, most in WIDEST.items():
             self.table.setColumnWidth(column, min(most, self.table.columnWidth(column)))
-        self._then = then
+        self.then = then
         self._summarize()
 
     def _summarize(self) -> None:
-        self.summary.setText(self._words(self._then))
+        self.summary.setText(self._words(self.then))
 
     def _words(self, then) -> str:
         (_, old), (unit, new) = (shown_size(then.objective, m) for m in (self.result.MeanSquare, then.mean_square))
         text = f"{mean_name(then.objective)}: {old:.3g} {unit} → <b>{new:.3g} {unit}</b>"
         if old > 0:
             text += f" ({100 * (new - old) / old:+.1f} %)"
-        worst = max(zip(then.bodies, then.component_total.tolist()), key=lambda p: p[1])
-        words = translate("Sens", "largest component then: {name}, Sᵀ = {value}")
-        text += " · " + words.format(name=body_name(self.machine, worst[0]), value=f"{worst[1]:.3f}")
+        worst = max(zip(then.bodies, then.component_share.tolist()), key=lambda p: p[1])
+        words = translate("Sens", "largest share then: {name}, {value}")
+        text += " · " + words.format(name=body_name(self.machine, worst[0]), value=percent(worst[1]))
         limit = self.allowed.value()
         if limit > 0 and unit == "µm" and then.objective.power == 2:
             words = translate("Sens", "passes") if new <= limit else translate("Sens", "fails")
@@ -361,7 +407,7 @@ class WhatIf(QtGui.QWidget):
     def apply(self) -> None:
         """Write what was tried to the document and compute it: one undo step."""
         machine = self.machine
-        if machine is None or self._then is None:
+        if machine is None or self.then is None:
             return
         try:
             core, objective = self._tried()

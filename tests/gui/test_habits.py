@@ -32,10 +32,12 @@ def test_the_ranking_is_copied_and_saved_as_csv(dock, machine, monkeypatch, tmp_
     dock.ranking.items()[2].setSelected(True)
     copying.copy(table)
     lines = QtGui.QApplication.clipboard().text().splitlines()
-    assert len(lines) == 2 and lines[0].split("\t")[:3] == ["#", "Error", "Sᵀ"]
-    symbol, total = lines[1].split("\t")[1:3]
+    assert len(lines) == 2 and lines[0].split("\t")[:5] == ["#", "Error", "Share", "Meaning", "Sᵀ"]
+    symbol, share, _, total = lines[1].split("\t")[1:5]
     result = tree.sensitivity_of(machine)
-    assert float(total) == pytest.approx(dict(zip(result.Symbols, result.Total))[symbol], rel=1e-5)
+    at = list(result.Symbols).index(symbol)
+    assert float(total) == pytest.approx(result.Total[at], abs=5e-5)
+    assert float(share) == pytest.approx((result.First[at] + result.Total[at]) / 2, rel=1e-5)
     path = tmp_path / "ranking.csv"
     monkeypatch.setattr(window, "ask_save", lambda *_: str(path))
     copying.ask_and_save(table, "ranking.csv")
@@ -97,7 +99,7 @@ def test_the_range_of_colours_stays_until_it_is_computed_anew(dock, machine, mac
     result = tree.sensitivity_of(machine)
     before = display.scale(result)
     found = tables.read_tolerances(machine)
-    wide = found | {s: t.scaled(0.5) for s, t in found.items() if s in ("EAY", "EBY")}
+    wide = found | {s: t.scaled(1.3) for s, t in found.items() if s == "EAZ"}
     machine_doc.openTransaction("edit")
     factory.set_tolerances(machine, wide)
     machine.touch()

@@ -278,11 +278,12 @@ def test_the_ranking_lists_every_error_largest_first(machine, machine_doc):
     run("Sens_Sensitivity")
     found = review.dock().ranking
     result = tree.sensitivity_of(machine)
-    texts = [[i.text(c) for c in range(7)] for i in found.items()]
+    texts = [[i.text(c) for c in range(8)] for i in found.items()]
     assert len(texts) == len(result.Symbols) == 24
-    totals = dict(zip(result.Symbols, result.Total))
-    assert [t[1] for t in texts][0] == max(totals, key=totals.get)
-    assert [totals[t[1]] for t in texts] == sorted(totals.values(), reverse=True)
+    shares = dict(zip(result.Symbols, (np.array(result.First) + result.Total) / 2))
+    assert sum(shares.values()) == pytest.approx(1, abs=1e-9)
+    assert [t[1] for t in texts][0] == max(shares, key=shares.get)
+    assert [shares[t[1]] for t in texts] == sorted(shares.values(), reverse=True)
     assert "±20 µrad" in next(t for t in texts if t[1] == "EAX") and "±5 µm" in next(t for t in texts if t[1] == "EYX")
     screenshot("review")
 
@@ -327,7 +328,11 @@ def test_components_and_settings(machine, machine_doc):
     run("Sens_Sensitivity")
     dock = review.dock()
     result = tree.sensitivity_of(machine)
-    assert [b[0] for b in dock.bars.blocks][0] == max(zip(result.ComponentTotal, result.Bodies))[1]
+    assert [b[0] for b in dock.bars.blocks][0] == max(
+        zip(np.add(result.ComponentFirst, result.ComponentTotal), result.Bodies)
+    )[1]
+    for block in dock.bars.blocks:  # the shares of its errors add to that of the component
+        assert sum(v for _, v in block[6]) == pytest.approx(block[2], abs=1e-9)
     dock.tabs.setCurrentIndex(1)
     dock.bars.picked.emit("X")
     screenshot("components")
@@ -354,8 +359,19 @@ def test_what_if_changes_nothing_until_apply(machine, machine_doc):
     dock.tabs.setCurrentIndex(2)
     tab.change({"EAY": 0.5, "EBY": 0.0})
     screenshot("what-if")
-    then = dict(zip(tab._then.symbols, tab._then.total))
+    then = dict(zip(tab.then.symbols, tab.then.total))
     assert then["EBY"] == 0.0
+    tab.keep()
+    kept = tab.then.mean_square
+    tab.change({"EAY": 2.0})
+    tab.keep()
+    assert [s.changes["EAY"] for s in tab.scenarios.kept] == [0.5, 2.0]
+    tab.allowed.setValue(tab.scenarios.kept[0].size + 0.1)
+    assert [tab.scenarios.topLevelItem(i).text(2) for i in range(2)] == ["passes", "fails"]
+    screenshot("what-if-kept")
+    tab.try_scenario(tab.scenarios.kept[0])
+    assert tab.then.mean_square == pytest.approx(kept) and tab.changes == {"EAY": 0.5, "EBY": 0.0}
+    tab.allowed.setValue(0.0)
     assert differences(before, state(machine_doc)) == [] and machine_doc.UndoCount == undos
     tab.apply_button.click()
     pump(60)
@@ -379,7 +395,7 @@ def test_a_scale_is_moved_in_mind_then_in_the_document(machine, machine_doc):
     reference, offset = App.Vector(axis.ReferencePoint), App.Vector(axis.AbbeOffset)
     tab.axis.setCurrentIndex(1)
     tab.shift[2].setValue(150.0)  # nearer to the tool
-    then = dict(zip(tab._then.symbols, tab._then.total))
+    then = dict(zip(tab.then.symbols, tab.then.total))
     result = tree.sensitivity_of(machine)
     assert then["EBY"] < dict(zip(result.Symbols, result.Total))["EBY"]  # a shorter arm, a smaller index
     assert "scale of Y moved by (0, 0, 150) mm" in tab.summary.text()

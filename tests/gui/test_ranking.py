@@ -98,3 +98,20 @@ def test_errors_of_one_name_have_a_row_each(machine, shown):
     shown.show_result(machine, Twins())
     assert [i.text(ranking.RANK) for i in shown.items()] == [str(k + 1) for k in range(24)]
     assert {i.text(ranking.ERROR) for i in shown.items()} == {"effect"}
+
+
+def test_the_filter_shows_the_errors_of_an_axis_or_of_a_kind(machine, shown):
+    seen = lambda: {i.text(ranking.ERROR) for i in shown.items() if not i.isHidden()}  # noqa: E731
+    everything = seen()
+    try:
+        shown.filter.setText("squareness")
+        assert seen() == {"C0Y", "B0Z", "A0Z"}
+        shown.filter.setText("squareness Z")
+        assert seen() == {"B0Z", "A0Z"}
+        widen(machine, EXX=2.0)
+        assert seen() == {"B0Z", "A0Z"}  # it stays while values change
+        shown.filter.setText("nothing has this")
+        assert seen() == set()
+    finally:
+        shown.filter.clear()
+    assert seen() == everything

@@ -54,7 +54,10 @@ def test_a_slice_stands_still_in_one_joint_and_stays_within_its_travel(machine):
     assert map_positions(machine).shape == (343, 3)
 
 
-@pytest.mark.parametrize("name, points, slice_points", [("lathe", 49, 25), ("trunnion", 343, 625), ("rotary_table", 7, 1)])
+MAPPED = [("lathe", 49, 25), ("trunnion", 343, 625), ("rotary_table", 7, 1)]
+
+
+@pytest.mark.parametrize("name, points, slice_points", MAPPED)
 def test_the_map_covers_what_spans_the_workspace(name, points, slice_points):
     machine = machine_json.load(EXAMPLES / f"{name}.json")
     q = map_positions(machine)
