@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The sentences: `<language>/<domain>.json`, each a table of code -> template; the words of one named effect or one
-shape are one file for all languages, `effects/<key>.json`, `shapes/<name>.json`: language -> code -> template.
+"""The sentences: `<language>/<domain>.json`, each a table of code -> template; the words of one named effect,
+objective or shape are one file for all languages (`effects/<key>.json` ...): language -> code -> template.
 
 A template is a text with `{field}` places; a refusal's is a pair [what was found, what to do about it], of which the
 second may be empty.  A code stands in one domain only.  English is complete; a code that another language lacks is
@@ -16,7 +16,7 @@ from pathlib import Path
 
 LONGEST = 120  # characters of a text that a sentence repeats
 LANGUAGES = ("en", "de", "ko")
-NOUNS = ("effects", "shapes")  # folders with one file for each, all languages in it
+NOUNS = ("effects", "objectives", "shapes")  # folders with one file for each, all languages in it
 _FOLDER = Path(__file__).parent
 
 
