@@ -22,6 +22,7 @@ from pathlib import Path
 
 import numpy as np
 
+from sensworkbench import demo_part
 from sensworkbench.core.errors import AXES, FUNCTION_SYMBOLS, component
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
@@ -193,7 +194,9 @@ def simulated_errors(machine: Machine, rng) -> dict:
     return errors
 
 
-def simulate(machine: Machine, errors: dict, squareness: dict, q, temperature, bend: bool = True) -> np.ndarray:
+def simulate(
+    machine: Machine, errors: dict, squareness: dict, q, temperature, bend: bool = True, tool_offset=None
+) -> np.ndarray:
     """(P, 3) mm by the exact product of matrices; with `bend` the Z carriage tilts about X with the column's heat."""
     values = {}
     for symbol, (axis, low, high, coefficients) in errors.items():
@@ -202,7 +205,7 @@ def simulate(machine: Machine, errors: dict, squareness: dict, q, temperature, b
     values |= squareness
     if bend:
         values["EAZ"] = values["EAZ"] + BEND_URAD_PER_K * 1e-6 * temperature
-    return exact_error(machine, values, q)[0]
+    return exact_error(machine, values, q, tool_offset)[0]
 
 
 def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
@@ -235,6 +238,11 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         files = work / "predicted.csv", work / "positions.csv"
         readings_csv.save_predicted(*files, positions, found.error, found.extrapolated, u=found.u)
         truth = simulate(machine, errors, squareness, new[0], new[2])
+        part = demo_part.make(
+            outcome.machine,
+            work / "part",
+            lambda p: simulate(machine, errors, squareness, p.q, p.columns["temp_column"], tool_offset=p.contact),
+        )
     held = {k: v.held_out["rms_um"] for k, v in outcome.error.items()}
     off = float(np.sqrt((um(found.error - truth) ** 2).sum(axis=1).mean()))
     named = [f"found: {e.effect.component} driven by {e.effect.driver}: {e.effect.name}" for e in outcome.effects]
@@ -244,6 +252,7 @@ def close_the_loop(machine: Machine, folder: Path, seed: int = 20) -> list[str]:
         "rms of held-out readings: uncorrected {uncorrected:.2f}, declared model {declared:.2f}, with the effect "
         "{augmented:.2f} um".format(**held),
         f"prediction at 200 new places: {off:.2f} um rms from the truth",
+        *part,
     ]
 
 

@@ -14,7 +14,14 @@ from sensworkbench.core.refusal import Refused
 from sensworkbench.core.toolpath import STEP_MM, ToolPath
 from sensworkbench.core.units import mm, um
 from sensworkbench.studies.part import FeatureRequest, PartRequest, PartResult, features_on, part_study
-from sensworkbench.studies.part_correct import LIMIT_MM, TOLERANCE_MM, correction, known_uncertainty, value_under
+from sensworkbench.studies.part_correct import (
+    LIMIT_MM,
+    TOLERANCE_MM,
+    Correction,
+    correction,
+    known_uncertainty,
+    value_under,
+)
 from sensworkbench.studies.part_path import RAPID_MM_MIN, Conditions, of_moves, of_points
 from sensworkbench.studies.remaining import remaining
 
@@ -136,20 +143,22 @@ def judged(job: Job, progress=None) -> PartResult:
     return part_study(job.machine, job.path, job.request, progress)
 
 
-def corrected(job: Job) -> tuple[bytes, dict]:
-    """(the corrected program, what part.json says of it)."""
+def correction_of(job: Job) -> Correction:
+    """The correction of a job's program; refuses points in place of a program, and tolerances in place of errors."""
     if job.program is None:
         raise Refused("part-correct-table", "--correct")
     if job.options.errors == "tolerances":
         raise Refused("part-correct-errors", "--correct")
     program, path, options = job.program, job.path, job.options
     labels = {name: np.unique(path.move[rows]) for name, rows in path.labels.items()}
-    stays = gcode.kept(program)
-    found = correction(
-        job.machine, program.moves, stays, job.conditions, options.correct_tolerance, options.correct_limit, labels,
-        options.rapid,
-    )  # fmt: skip
-    cuts = found.path.cutting
+    sizes = options.correct_tolerance, options.correct_limit
+    return correction(job.machine, program.moves, gcode.kept(program), job.conditions, *sizes, labels, options.rapid)
+
+
+def corrected(job: Job) -> tuple[bytes, dict]:
+    """(the corrected program, what part.json says of it)."""
+    found, program, options = correction_of(job), job.program, job.options
+    stays, cuts = gcode.kept(program), found.path.cutting
     rms = lambda e: part_json.number(um(np.sqrt((e[cuts] ** 2).sum(axis=1).mean())))  # noqa: E731
     features = []
     for f in features_on(job.machine, found.path, job.request.features):
@@ -165,7 +174,7 @@ def corrected(job: Job) -> tuple[bytes, dict]:
         "clipped": found.clipped,
         "before_um": rms(found.before),
         "after_um": rms(found.after),
-        "uncertainty_um": part_json.number(um(known_uncertainty(job.machine, path))),
+        "uncertainty_um": part_json.number(um(known_uncertainty(job.machine, job.path))),
         "tables": _tables(job),
         "features": features,
     }

@@ -7,7 +7,7 @@ lines several, so that neither the arc nor the error between two points is misse
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -88,7 +88,7 @@ def correction(
         points.append(contour[rows] + moved[rows])
         fractions.append(path.fraction[rows])
     twice, _ = of_moves(machine, moves, conditions, features, rapid=rapid, number=2 * number)
-    before, after = _remaining(machine, moves, twice, points, fractions)
+    before, after = left_by(lambda p: _errors(machine, p), machine, moves, twice, points, fractions)
     return Correction(points, fractions, float(np.minimum(size, limit).max()), int(over.sum()), before, after, twice)
 
 
@@ -132,9 +132,14 @@ def _needed(fraction, values, tolerance: float) -> np.ndarray:
     return np.array(sorted(keep)) - 1
 
 
-def _remaining(machine: Machine, moves: Moves, path: ToolPath, points, fractions) -> tuple[np.ndarray, np.ndarray]:
-    """(error, what is left of it) at the points of a path, with the corrected ends of the pieces."""
-    before = _errors(machine, path)
+def left_by(
+    error_of: Callable[[ToolPath], np.ndarray], machine: Machine, moves: Moves, path: ToolPath, points, fractions
+) -> tuple[np.ndarray, np.ndarray]:
+    """(error, what is left of it), (P, 3) mm each, at the points of a path with the corrected ends of the pieces.
+
+    error_of : path -> (P, 3) mm; another one than that of the correction shows what a machine leaves that is otherwise.
+    """
+    before = error_of(path)
     contour = path.written + moves.shift[path.move]
     new = contour.copy()
     begins = np.searchsorted(path.move, np.arange(len(moves) + 1))
@@ -151,7 +156,7 @@ def _remaining(machine: Machine, moves: Moves, path: ToolPath, points, fractions
     shown = {j.column: j.to_shown(path.q[:, i] + moved[:, i]) for i, j in enumerate(machine.joints)}
     again = replace(path, q=path.q + moved, columns=dict(path.columns) | shown)
     directions = np.stack([machine.directions[k] for k in "XYZ"])
-    return before, moved[:, list(moves.xyz)] @ directions + _errors(machine, again)
+    return before, moved[:, list(moves.xyz)] @ directions + error_of(again)
 
 
 def known_uncertainty(machine: Machine, path: ToolPath) -> float | None:
