@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -67,8 +68,17 @@ class Job:
     source: dict = field(default_factory=dict)
 
 
-def read(machine: Machine, path, options: Options = Options()) -> Job:
-    """The job of the files that are named; refuses what cannot be understood."""
+@dataclass(frozen=True)
+class Given:
+    """A program from a document.  data : its bytes.  offset : of G54 per joint, or None.  tools : number -> Tool."""
+
+    data: bytes
+    offset: tuple[float, ...] | None = None
+    tools: Mapping[int, gcode.Tool] = field(default_factory=dict)
+
+
+def read(machine: Machine, path, options: Options = Options(), given: Given | None = None) -> Job:
+    """The job of the files that are named; refuses what cannot be understood.  given : in place of the path's file."""
     joints = machine.joints
     file = features_json.load(options.features, joints) if options.features else features_json.FeatureFile()
     conditions = path_csv.load_conditions(options.conditions, joints) if options.conditions else Conditions()
@@ -84,7 +94,13 @@ def read(machine: Machine, path, options: Options = Options()) -> Job:
     else:
         offsets = dict(_offset(text, joints) for text in options.offsets)
         tools = dict(_tool(text) for text in options.tools)
-        program = gcode.load(path, joints, features_json.settings_for(file, offsets, tools))
+        if given is None:
+            program = gcode.load(path, joints, features_json.settings_for(file, offsets, tools))
+        else:
+            known = {} if given.offset is None else {"G54": given.offset}
+            file = replace(file, offsets=known | dict(file.offsets), tools=dict(given.tools) | dict(file.tools))
+            settings = features_json.settings_for(file, offsets, tools)
+            program = gcode.loads(given.data, Path(path).name, joints, settings)
         features, rows = features_json.of_program(program, file)
         made, step = of_moves(machine, program.moves, conditions, rows, options.step, rapid=options.rapid)
         source |= {"unread_words": program.unread, "assumed": program.assumed, "remarks": program.remarks}

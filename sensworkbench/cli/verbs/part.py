@@ -13,8 +13,9 @@ FILES = "`part.json`, `features.csv`, `points.csv`, `report.html`; a corrected p
 
 def add(parser) -> None:
     common.add_machine(parser)
-    text = "the tool path: a G-code program, or a table (.csv) of points"
-    parser.add_argument("path", metavar="PATH", help=text)
+    text = "the tool path: a G-code program, a table (.csv) of points, or a document with a CAM job (default: MACHINE)"
+    parser.add_argument("path", metavar="PATH", nargs="?", default="", help=text)
+    parser.set_defaults(documents=(*parser.get_default("documents"), "path"))
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
     parser.add_argument("--features", metavar="FILE", help="features.json: features, work offsets, tools")
     parser.add_argument("--conditions", metavar="FILE", help="table of conditions along the path")
@@ -41,12 +42,28 @@ def add(parser) -> None:
     common.add_language(parser)
 
 
+def _of_document(arguments, machine):
+    """The program of a document that was given as the path, or None."""
+    if not common.is_document(arguments.path):
+        return None
+    from sensworkbench.document import cam_path
+    from sensworkbench.formats.part_files import Given
+
+    found = cam_path.load(arguments.path)
+    together = common.is_document(arguments.machine) and common.same_file(arguments.machine, arguments.path)
+    return Given(found.text.encode("latin-1", "replace"), cam_path.offset(machine) if together else None, found.tools)
+
+
 def run(arguments) -> int:
     from pathlib import Path
 
     from sensworkbench.core.units import mm
     from sensworkbench.formats import part_files
 
+    if not arguments.path and common.is_document(arguments.machine):
+        arguments.path = arguments.machine
+    if not arguments.path:
+        raise Refused("part-no-path", "PATH")
     machine = common.load_machine(arguments.machine)
     folder = Path(arguments.out)
     given = [arguments.machine, arguments.path, arguments.features, arguments.conditions]
@@ -69,7 +86,7 @@ def run(arguments) -> int:
         correct_limit=mm(arguments.correct_limit),
     )
     try:
-        job = part_files.read(machine, arguments.path, options)
+        job = part_files.read(machine, arguments.path, options, _of_document(arguments, machine))
         result = part_files.judged(job)
     except Refused as refused:
         raise (refused.at(arguments.path) if refused.where.startswith("line ") else refused) from None

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The tool path of a document: the operations of a CAM job, or other Path objects, written as a program.
+
+FreeCAD's Path objects hold G-code in mm, with feeds in mm/s, in the coordinates of the document.  Where the machine
+stands in the same document, the work offset follows: a place is reached when the tool point is there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import FreeCAD as App
+import numpy as np
+
+from ..core.machine import Machine
+from ..core.refusal import Refused
+from ..formats import provenance
+from ..formats.gcode import Tool
+
+_FEEDS = ("G1", "G01", "G2", "G02", "G3", "G03", "G73", "G81", "G82", "G83", "G84", "G85", "G86", "G88", "G89")
+MM_S = 60.0  # mm/min
+
+
+@dataclass(frozen=True)
+class CamPath:
+    """text : the program.  tools : number -> Tool.  operations : label -> first and last N word."""
+
+    text: str
+    tools: Mapping[int, Tool] = field(default_factory=dict)
+    operations: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+
+
+def load(path) -> CamPath:
+    """The tool path of a document's file."""
+    if not Path(path).is_file():
+        raise Refused("document-file-missing", str(path))
+    provenance.note_file(path)
+    already = {d.Name for d in App.listDocuments().values()}
+    try:
+        document = App.openDocument(str(Path(path).absolute()))
+    except Exception as error:  # noqa: BLE001 - FreeCAD raises whatever the damaged part makes it raise
+        raise Refused("document-cannot-be-opened", str(path), reason=str(error).strip()) from None
+    try:
+        return of_document(document)
+    except Refused as refused:
+        raise refused.at(str(path)) from None
+    finally:
+        if document.Name not in already:
+            App.closeDocument(document.Name)
+
+
+def of_document(document) -> CamPath:
+    """The tool path of an open document: that of its one job, else of all its Path objects in their order."""
+    jobs = [o for o in document.Objects if hasattr(o, "Operations") and hasattr(o, "PostProcessor")]
+    if len(jobs) > 1:
+        raise Refused("cam-several-jobs", jobs=[j.Label for j in jobs])
+    if jobs:
+        found = [o for o in jobs[0].Operations.Group if getattr(o, "Active", True)]
+    else:
+        found = [o for o in document.Objects if getattr(o, "Path", None) is not None and _commands(o)]
+    lines, tools, operations = ["G21 G90 G17 G54"], {}, {}
+    number, tool = 0, None
+    for operation in found:
+        controller = getattr(operation, "ToolController", None)
+        if controller is not None:
+            now = int(controller.ToolNumber)
+            radius = float(getattr(getattr(controller, "Tool", None), "Diameter", 0.0)) / 2
+            tools[now] = Tool(0.0, radius or None)
+            if now != tool:
+                lines.append(f"T{now} M6")
+                tool = now
+        first = number + 1
+        for command in _commands(operation):
+            text = _block(command)
+            if text:
+                number += 1
+                lines.append(f"N{number} {text}")
+        if number >= first:
+            operations[operation.Label] = (first, number)
+    if not operations:
+        raise Refused("cam-no-path", document.Label)
+    return CamPath("\n".join(lines) + "\n", tools, operations)
+
+
+def _commands(operation) -> list:
+    path = getattr(operation, "Path", None)
+    return list(getattr(path, "Commands", ()))
+
+
+def _block(command) -> str:
+    """The block of a command; empty for a comment."""
+    name = command.Name.strip()
+    if not name or name.startswith("("):
+        return ""
+    words = [name]
+    for letter, value in command.Parameters.items():
+        if letter == "F":
+            if name not in _FEEDS:
+                continue
+            value = value * MM_S
+        words.append(f"{letter}{value:.6f}".rstrip("0").rstrip("."))
+    return " ".join(words)
+
+
+def offset(machine: Machine) -> tuple[float, ...]:
+    """The work offset of paths in the coordinates of the machine's document, per joint, mm.
+
+    Refuses machines whose X, Y, Z are not along those of the document.
+    """
+    directions = {"X": (1, 0, 0), "Y": (0, 1, 0), "Z": (0, 0, 1)}
+    along = [j.name in directions and np.abs(np.subtract(j.direction, directions[j.name])).max() < 1e-6
+             for j in machine.joints]  # fmt: skip
+    if not all(along):
+        raise Refused("cam-offset-unknown", machine.name)
+    return tuple(-machine.tool_point["XYZ".index(j.name)] for j in machine.joints)
