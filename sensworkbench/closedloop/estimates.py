@@ -18,6 +18,7 @@ from ..core.effects import Effect
 from ..core.errors import component
 from ..core.fitted import ALIGNMENT, DECLARED, EFFECT, RUN, TOOL, OtherName, Uncertainty, uncertainty_of
 from ..core.parameters import Levels
+from ..core.propagation import propagated
 from ..core.synthesis import omega
 from . import design
 from .effects import to_effect
@@ -176,7 +177,7 @@ class Estimates:
                 rows.append(first + j)
                 slopes.append(c.regressor.slope(self._columns, c.coefficients, key, steps[k, key])[:, None])
         gradient = (weight * motion) @ np.concatenate(slopes, axis=1) / (size * len(motion))
-        return size, float(np.linalg.norm(gradient @ self.spread.factor[rows]))
+        return size, float(propagated(gradient, self.spread.factor[rows]))
 
     # -- what a machine keeps ------------------------------------------------------------------------------------------
     def stored(self, effects: Sequence[Effect], around) -> Uncertainty:

@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core.machine import Machine
+from ..core.propagation import factor_of
 from .design import Design
 from .fit import Fit, basis
 from .readings import Readings
@@ -282,7 +283,7 @@ def spread(fitted: Fit, readings: Readings, effects=None, extra=None, prior=None
     noise, inner = noise_model(fitted, readings, b.ortho, noise)
     common = common or {}
     turned = [rows @ (b.ortho.T @ fitted.white(field)) for field in common.values()]
-    data = np.column_stack([*turned, rows @ _root(inner)])
+    data = np.column_stack([*turned, rows @ factor_of(inner)])
     determined = (1 - (b.v**2).sum(axis=1) < 1e-6) & finite
     open_part, shift = np.zeros((n, 0)), np.zeros(n)
     if b.rank < n:
@@ -315,12 +316,6 @@ def _settled(v, scale, data, estimate, prior):
 
     moved = mean + project(estimate - mean)
     return project(data), open_part, moved - estimate
-
-
-def _root(matrix) -> np.ndarray:
-    """A square root: times its transpose it is the matrix, which is symmetric and not negative."""
-    values, vectors = np.linalg.eigh(matrix)
-    return vectors * np.sqrt(np.maximum(values, 0.0))
 
 
 def settled(fitted: Fit, machine: Machine, readings: Readings, effects=None) -> Fit:
