@@ -68,5 +68,7 @@ def budget(machine: Machine, readings: Readings, parts) -> tuple[BudgetLine, ...
         own = replace(machine, fitted=replace(machine.fitted, uncertainty=part), effects=traced)
         found[source] = float((uncertainty(own, readings)[some] ** 2).sum(axis=1).mean())
     found["alignment"] = max(found.pop("noise and alignment") - found["noise"], 0.0)
+    least = 1e-12 * sum(found.values())  # below it is rounding
+    found = {source: v if v > least else 0.0 for source, v in found.items()}
     order = sorted(found, key=lambda name: (name not in ("noise", "alignment"), -found[name]))
     return tuple(BudgetLine(source, found[source]) for source in order)

@@ -228,6 +228,25 @@ def scatter(
     return drawing.svg
 
 
+def bands(groups, xlabel: str, *ylabels: str, alt: str = "") -> Html | None:
+    """Curves with bands, one panel for each group: (name, x (P,), value (P,), half width of the band (P,)) each."""
+    if not available():
+        return None
+    with _Drawing(8.6, 3.0, alt) as drawing:
+        panels = np.atleast_1d(drawing.axes(1, len(groups)))
+        for ax, group, label in zip(panels, groups, ylabels):
+            for i, (name, x, value, wide) in enumerate(group):
+                ax.fill_between(x, value - wide, value + wide, color=SERIES[i % 6], alpha=0.2, linewidth=0)
+                ax.plot(x, value, color=SERIES[i % 6], linewidth=1.5, label=name)
+            ax.axhline(0, color=INK, linewidth=0.6, alpha=0.5)
+            ax.set_xlabel(xlabel)
+            ax.set_ylabel(label)
+            _grid(ax, "both")
+            if group:
+                ax.legend(**_ABOVE)
+    return drawing.svg
+
+
 def histogram(
     series: Mapping[str, Sequence[float]], xlabel: str = "", bins: int = 40, alt: str = "", ylabel: str = "points"
 ) -> Html | None:

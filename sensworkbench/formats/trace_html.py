@@ -20,9 +20,10 @@ from sensworkbench.messages import Message
 from sensworkbench.messages.tables import known
 from sensworkbench.studies.trace import component_values, point_vectors
 
-from . import charts, html, trace_json
+from . import charts, html, trace_json, trace_laboratory
 from .html import Html
 from .trace_json import VERDICTS
+from .trace_laboratory import K
 from .words import Words
 
 STAGES = {
@@ -47,6 +48,12 @@ def um(value) -> str:
     return "–" if value is None else f"{value:.3g}" if abs(value) < 100 else f"{value:.0f}"
 
 
+def expanded_um(entry: Mapping) -> str:
+    """`5.22 ± 0.05`: amplitude of an effect with its expanded uncertainty, where that is known."""
+    u = entry.get("amplitude_u_um")
+    return um(entry["amplitude_um"]) + ("" if u is None else f" ± {K * u:.2g} (k = {K:g})")
+
+
 def driver_words(driver: str) -> str:
     """`temp_column × y` of `temp_column*y`."""
     return Driver.of(driver).words()
@@ -66,7 +73,7 @@ def parameter_title(key: str) -> Message | None:
 
 
 def parameter_words(entry, words: Words | None = None) -> str:
-    """`−8.98 ± 0.02 µrad/K`; words : the language, English if not given."""
+    """`−8.98 ± 0.05 µrad/K (k = 2)`: with the expanded uncertainty; words : the language, English if not given."""
     if not isinstance(entry, Mapping):
         return f"{entry:.4g}" if isinstance(entry, (int, float)) else str(entry)
     values, spread = entry["value"], entry.get("u")
@@ -74,10 +81,12 @@ def parameter_words(entry, words: Words | None = None) -> str:
     values = list(values) if several else [values]
     spread = list(spread) if isinstance(spread, (list, tuple)) else [spread] * len(values) if not several else []
     spread += [None] * (len(values) - len(spread))
-    shown = [f"{v:.4g}" + ("" if u is None else f" ± {u:.2g}") for v, u in zip(values, spread)]
+    expanded = [None if u is None else K * u for u in spread]
+    shown = [f"{v:.4g}" + ("" if u is None else f" ± {u:.2g}") for v, u in zip(values, expanded)]
     if len(shown) > 6:
         shown = [*shown[:6], (words or Words())("tr-in-all", count=len(shown))]
-    return (", ".join(shown) + " " + unit_words(entry.get("unit", ""))).replace("-", "−").strip()
+    text = (", ".join(shown) + " " + unit_words(entry.get("unit", ""))).replace("-", "−").strip()
+    return text if all(u is None for u in spread) else f"{text} (k = {K:g})"
 
 
 def trace_report(data: Mapping, outcome=None, language: str = "en") -> str:
@@ -110,8 +119,10 @@ class _Report:
             self.next(),
             self.sensitivity_shift(),
             self.parameters(),
+            *self.laboratory(),
             self.limits(),
             self.readings(),
+            trace_laboratory.records(data, words),
         ]
         footer = words(
             "tr-footer",
@@ -166,6 +177,17 @@ class _Report:
         words = self.words
         return [words("tr-component"), words("tr-driver"), words("tr-shape"), reason]
 
+    def laboratory(self) -> list[Html]:
+        """Fitted errors, figures of ISO 230, budget and conditions."""
+        if self.outcome is None:
+            return [trace_laboratory.budget(self.data, self.words)]
+        return [
+            trace_laboratory.errors(self.outcome, self.words),
+            trace_laboratory.standards(self.outcome, self.words),
+            trace_laboratory.budget(self.data, self.words),
+            trace_laboratory.conditions(self.data, self.outcome, self.words),
+        ]
+
     # -- sections ------------------------------------------------------------------------------------------------------
     def summary(self) -> Html:
         words, data = self.words, self.data
@@ -193,7 +215,7 @@ class _Report:
                 (words("tr-driver"), self.driver(e["driver"])),
                 (words("tr-shape"), shape_words(e["shape"], words)),
                 *((self.parameter(k), parameter_words(v, words)) for k, v in e["parameters"].items()),
-                (words("tr-amplitude"), words("tr-amplitude-value", um=um(e["amplitude_um"]))),
+                (words("tr-amplitude"), words("tr-amplitude-value", um=expanded_um(e))),
                 (words("tr-familywise"), self.p(e["p_familywise"])),
                 (words("tr-selection"), f"{e['selection_frequency']:.0%}"),
             ]
@@ -260,6 +282,7 @@ class _Report:
             *(f"#{words('tr-column-rms-along', axis=a)}" for a in "xyz"),
         ]
         parts = [html.table(columns, rows, words("tr-error-caption"))]
+        parts.append(trace_laboratory.left_out(self.data, words))
         note = self.said(error, "note")
         if note:
             parts.append(html.paragraph(note[:1].upper() + note[1:] + ".", soft=True))

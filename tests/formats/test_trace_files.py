@@ -4,7 +4,10 @@
 from __future__ import annotations
 
 import csv
+import hashlib
+import html
 import json
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -229,6 +232,7 @@ def test_every_verdict_has_its_words_and_hostile_names_stay_text(traced, verdict
 
 EVERY_PARAMETER = ["coefficient", "rms", "extent", *dict.fromkeys(p for s in SHAPES.values() for p in s.parameters)]
 SAME_WORD = {"Amplitude", "Exponent", "Parameter", "rms", "rms x", "rms y", "rms z"}  # in English and another language
+SAME_WORD |= {"u, µm", "u², µm²"}
 SPOKEN = ("h1", "h2", "h3", "p", "th", "dt", "caption", "figcaption", "footer", "li")
 
 
@@ -417,3 +421,30 @@ def test_the_demonstration_loop_finds_what_it_hides(tmp_path):
     assert {p.name for p in (tmp_path / "loop").iterdir()} >= {"measured.csv", "positions.csv", "predicted.csv"}
     assert any("explained" in w for w in words)
     assert study_files.COVARIANCE in {p.name for p in (tmp_path / "loop").iterdir()}
+
+
+def test_the_report_states_what_a_laboratory_signs(traced):
+    """Sums of the inputs, fields to fill in, coverage factor beside every uncertainty, budget, decisions."""
+    folder, _ = traced
+    page = html_text((folder / "out" / "report.html").read_text(encoding="utf-8"))
+    for path in (MACHINE, folder / "measured.csv"):
+        assert path.name in page and hashlib.sha256(path.read_bytes()).hexdigest() in page
+    for code in (
+        "lab-record-serial",
+        "lab-record-certificate",
+        "lab-signature",
+        "lab-source-noise",
+        "lab-decision-open",
+    ):
+        assert str(Message(code)) in page, code
+    data = json.loads((folder / "out" / "trace.json").read_text(encoding="utf-8"))
+    total = sum(b["variance_um2"] for b in data["budget"])
+    assert f"U = {2 * np.sqrt(total):.3g} µm (k = 2" in page
+    [effect] = data["effects"]
+    value = effect["parameters"]["coefficient"]
+    assert f"± {2 * value['u']:.2g} µrad/K (k = 2)" in page
+    assert f"± {2 * effect['amplitude_u_um']:.2g} (k = 2)" in page
+
+
+def html_text(page: str) -> str:
+    return html.unescape(re.sub(r"<[^>]+>", "", page))
