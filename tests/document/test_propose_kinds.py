@@ -12,14 +12,15 @@ import pytest
 
 from sensworkbench.document.propose import engine
 
-from .machines import joined, kinds, writers
+from .machines import joined, kinds, odd, writers
 
 HAS_JOINTS = importlib.util.find_spec("UtilsAssembly") is not None  # FreeCAD 1.0 and later
 WRITERS = {**writers.WRITERS, **(joined.JOINED if HAS_JOINTS else {})}
 SAID_BY_NOTHING = {  # a lathe without names is no lathe; y is not up where no name says so; wheels without names
     ("slant_lathe", "numbers"), ("slant_lathe", "nameless_tree"), ("slant_lathe", "compound"),
     ("slant_lathe", "fusions"), ("slant_lathe", "sliders"), ("wheeled", "numbers"), ("wheeled", "nameless_tree"),
-    ("wheeled", "compound"),    ("wheeled", "fusions"), ("stage", "yup"), ("plotter", "yup"), ("wheeled", "yup"),
+    ("wheeled", "compound"), ("wheeled", "fusions"),
+    *((kind, way) for kind in ("stage", "plotter", "wheeled") for way in ("yup", "ydown")),
 }  # fmt: skip
 
 
@@ -58,3 +59,39 @@ def test_every_kind_is_found_however_it_is_written(writer, tmp_path):
             wrong.append(name)
     assert slow == [] and too_sure == []
     assert [n for n in wrong if (n, writer) not in SAID_BY_NOTHING] == []
+
+
+@pytest.mark.parametrize("names", [True, False])
+@pytest.mark.parametrize("name", odd.PARALLEL)
+def test_a_parallel_machine_is_refused_in_words_with_and_without_names(doc, name, names):
+    odd.PARALLEL[name](doc, names)
+    doc.recompute()
+    found = engine.propose(doc)
+    assert (found.kind, found.complete, found.axes) == ("parallel", False, {})
+    assert found.remarks[0].code == "propose-delta" and found.questions[0].name == "kind"
+
+
+@pytest.mark.parametrize("names", [True, False])
+@pytest.mark.parametrize("name", odd.JOINTED)
+def test_a_jointed_arm_is_no_machine_of_linear_axes(doc, name, names):
+    odd.JOINTED[name](doc, names)
+    doc.recompute()
+    found = engine.propose(doc)
+    assert not found.axes and not found.complete
+    assert found.remarks[0].code == ("propose-robot" if names else "propose-nothing-slides")
+
+
+@pytest.mark.parametrize("name", odd.NOTHING)
+def test_furniture_and_engines_are_no_machines(doc, name):
+    odd.NOTHING[name](doc)
+    doc.recompute()
+    assert not engine.propose(doc).complete
+
+
+def test_a_machine_drawn_in_inches_is_found_with_its_travels_as_drawn(doc):
+    kind = odd.inches(doc)
+    doc.recompute()
+    found = engine.propose(doc)
+    assert right(kind, found, App.Rotation())
+    for axis, length in kind.truth.travel.items():
+        assert np.ptp(found.axes[axis].travel) == pytest.approx(length / 25.4, rel=0.01)

@@ -58,7 +58,7 @@ def sides_of(state: State, reading: Reading, branches, places, up, answers):
         if one >= -0.2 or (len(branches[0]) > 2 and one >= -0.5):
             return [], branches[0], 0.9 if one > 0.5 else 0.6
         return branches[0], [], 0.85 if one < -0.7 else 0.6
-    if not state.said.lathe:  # the tool is above the work
+    if not state.said.lathe and up[2] > 0.9:  # the tool is above the work; which end of x or y is up, nothing says
         heights = [_height(document, reading.bodies[b[-1].outer], up) for b in branches]
         one, two = one + 0.4 * (heights[0] > heights[1]), two + 0.4 * (heights[1] > heights[0])
     sure = min(1.0, 0.5 + 0.4 * abs(one - two))

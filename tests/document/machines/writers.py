@@ -116,6 +116,12 @@ def yup(doc, kind: Kind, folder=None):
     next(o for o in doc.Objects if o.Label == "Machine").Placement.Rotation = TURNS["yup"]
 
 
+def ydown(doc, kind: Kind, folder=None):
+    """A tree that hangs upside down, with -y upwards."""
+    tree(doc, kind)
+    next(o for o in doc.Objects if o.Label == "Machine").Placement.Rotation = TURNS["ydown"]
+
+
 def splines(doc, kind: Kind, folder=None):
     """Every surface is a spline."""
     for piece in kind.pieces:
@@ -216,8 +222,9 @@ def assembly4(doc, kind: Kind, folder=None):
 
 
 WRITERS = {f.__name__: f for f in (
-    flat, numbers, tree, german, nameless_tree, compound, lumps, fusions, links, documents, turned, baked, yup, splines, meshes,
+    flat, numbers, tree, german, nameless_tree, compound, lumps, fusions, links, documents, turned, baked, yup, ydown, splines, meshes,
     mirrored, doubled, a2plus, assembly4)}  # fmt: skip
 TURNS = {  # how a writer turns the machine
     "turned": App.Rotation(V(0, 0, 1), 31), "baked": App.Rotation(V(0.2, 0.1, 1), 27), "yup": App.Rotation(V(1, 0, 0), -90),
+    "ydown": App.Rotation(V(1, 0, 0), 90),
 }  # fmt: skip
