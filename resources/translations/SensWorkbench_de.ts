@@ -31,12 +31,12 @@
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>95 % of all errors below</source>
-      <translation>95 % aller Fehler unter</translation>
+      <translation>95 % aller Abweichungen unter</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>95 % of all errors below {before} → {after} µm.</source>
-      <translation>95 % aller Fehler unter {before} → {after} µm.</translation>
+      <translation>95 % aller Abweichungen unter {before} → {after} µm.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -45,8 +45,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
-      <source>Abbe offset / mm</source>
-      <translation>Abbe-Abstand / mm</translation>
+      <source>Abbe offset / {unit}</source>
+      <translation>Abbe-Abstand / {unit}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -151,7 +151,7 @@
     <message>
       <location filename="../../sensworkbench/gui/bars.py" />
       <source>Bar: share of the component in the variance. Below: the shares of its errors, which add to it.</source>
-      <translation>Balken: Anteil der Komponente an der Varianz. Darunter: die Anteile ihrer Fehler, die zusammen ihn ergeben.</translation>
+      <translation>Balken: Anteil der Komponente an der Varianz. Darunter: die Anteile ihrer Abweichungen, die zusammen ihn ergeben.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -217,6 +217,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>Leeren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>Click the place in the 3D view first.</source>
+      <translation>Klicken Sie zuerst die Stelle in der 3D-Ansicht an.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -719,6 +724,11 @@
       <translation>Verschiebt den Schnitt entlang seiner Achse</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>Moves the tool to the place that was clicked in the 3D view</source>
+      <translation>Fährt das Werkzeug an die Stelle, die in der 3D-Ansicht angeklickt wurde</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Needs</source>
       <translation>Braucht</translation>
@@ -1196,7 +1206,7 @@
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Shows the errors whose name, component or meaning has these words</source>
-      <translation>Zeigt die Fehler, deren Name, Komponente oder Bedeutung diese Wörter enthält</translation>
+      <translation>Zeigt die Abweichungen, deren Name, Komponente oder Bedeutung diese Wörter enthält</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1306,7 +1316,7 @@
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>The error that the tolerances together may cause</source>
-      <translation>Der Fehler, den alle Toleranzen zusammen verursachen dürfen</translation>
+      <translation>Die Abweichung, die alle Toleranzen zusammen verursachen dürfen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -1379,6 +1389,11 @@
       <translation>Die Suche brach ab: {error}. Nichts wurde geändert. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>The travel ends {distance} from the clicked point.</source>
+      <translation>Der Verfahrweg endet {distance} vor dem angeklickten Punkt.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Then</source>
       <translation>Dann</translation>
@@ -1397,6 +1412,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>This is the middle of a side, not its end: take it again.</source>
       <translation>Das ist die Mitte einer Mantelfläche, nicht ihr Ende: bitte neu übernehmen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>To clicked point</source>
+      <translation>Zum angeklickten Punkt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -1591,7 +1611,7 @@
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>What the error contributes to the variance, (S + Sᵀ)/2: the shares add to 100 %. Work on the largest first</source>
-      <translation>Was der Fehler zur Varianz beiträgt, (S + Sᵀ)/2: die Anteile ergeben 100 %. Zuerst am größten arbeiten</translation>
+      <translation>Was die Abweichung zur Varianz beiträgt, (S + Sᵀ)/2: die Anteile ergeben 100 %. Zuerst am größten arbeiten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
@@ -2127,6 +2147,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>uncertainty</source>
       <translation>Unsicherheit</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>uncertainty of the error along {axis}</source>
+      <translation>Unsicherheit der Abweichung entlang {axis}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />

@@ -45,8 +45,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
-      <source>Abbe offset / mm</source>
-      <translation>아베 오프셋 / mm</translation>
+      <source>Abbe offset / {unit}</source>
+      <translation>아베 오프셋 / {unit}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -217,6 +217,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>비우기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>Click the place in the 3D view first.</source>
+      <translation>먼저 3D 뷰에서 위치를 클릭하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -717,6 +722,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Moves the slice along its axis</source>
       <translation>단면을 축을 따라 옮깁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>Moves the tool to the place that was clicked in the 3D view</source>
+      <translation>3D 뷰에서 클릭한 위치로 공구를 옮깁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1379,6 +1389,11 @@
       <translation>추적이 중단되었습니다: {error}. 변경된 것은 없습니다. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>The travel ends {distance} from the clicked point.</source>
+      <translation>이송 범위가 클릭한 점에서 {distance} 떨어진 곳에서 끝납니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Then</source>
       <translation>이후</translation>
@@ -1397,6 +1412,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>This is the middle of a side, not its end: take it again.</source>
       <translation>옆면의 중심이며 끝이 아닙니다. 다시 가져오십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_jog.py" />
+      <source>To clicked point</source>
+      <translation>클릭한 점으로</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -2127,6 +2147,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>uncertainty</source>
       <translation>불확도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>uncertainty of the error along {axis}</source>
+      <translation>{axis} 방향 오차의 불확도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />

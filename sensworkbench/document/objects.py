@@ -14,7 +14,7 @@ from ..core.objectives import MeanSquare, objective
 from ..core.shapes import SHAPES
 from ..core.workspace import DEFAULT_GRID, DEFAULT_ORDER
 from . import told
-from .base import Property, SensObject, coded, internal, numbers, put, quiet, result
+from .base import INVISIBLE, OUTPUT, Property, SensObject, coded, internal, numbers, put, quiet, result
 from .staleness import with_objective
 
 AUTOMATIC = "Automatic"
@@ -71,7 +71,7 @@ class MachineObject(SensObject):
                  "what the guide carries", "direction"),
         Property("Map", "Declared", "Machine", "Degree of the declared error functions that differ from 3"),
         Property("String", "Objective", "Objective", "What is judged: name and fields of the objective, as JSON",
-                 told.objective_text(MeanSquare())),
+                 told.objective_text(MeanSquare()), 0, INVISIBLE),
         Property("Enumeration", "Aggregate", "Objective",
                  "Positions: quadrature over the travel, regular grid, one, or a low-discrepancy set", "quadrature"),
         Property("Integer", "Order", "Objective", "Quadrature positions per axis", DEFAULT_ORDER),
@@ -205,7 +205,15 @@ class SensitivityObject(SensObject):
         result("Float", "MeanSquare", "E[Y], mm² (rad², or mm for a signed component)"),
         result("Float", "Variance", "V(Y), mm⁴ (rad⁴, or mm²)"),
         result("Float", "EstimatedError", "Estimated error of the total indices; negative: none is stated", -1.0),
-        result("String", "Objective", "What was judged: name and fields of the objective, as JSON"),
+        Property(
+            "String",
+            "Objective",
+            "Results",
+            "What was judged: name and fields of the objective, as JSON",
+            None,
+            OUTPUT,
+            INVISIBLE,
+        ),
         result("String", "Aggregate", "quadrature, grid or at"),
         result("FloatList", "Points", "Positions per axis, or the one position"),
         result("String", "Squareness", "Convention for squareness"),
@@ -250,7 +258,8 @@ class EffectObject(SensObject):
         Property("String", "Component", "Effect", "ISO 230-1 name of the error component"),
         Property("String", "Driver", "Effect", "Column that drives it; a product is joined by *"),
         Property("Enumeration", "Shape", "Effect", "How it depends on the driver", "linear"),
-        Property("String", "Parameters", "Effect", "Parameters with unit and standard uncertainty, as JSON", "{}"),
+        Property("String", "Parameters", "Effect", "Parameters with unit and standard uncertainty, as JSON", "{}",
+                 0, INVISIBLE),
         Property("FloatList", "Extent", "Effect",
                  "Lowest and highest value of the driver, in its unit (K, mm, s ...); without it, and without one in "
                  "Parameters, the effect is not in the ranking"),

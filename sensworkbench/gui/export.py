@@ -75,7 +75,7 @@ def export(machine, folder) -> list[Path]:
     core = extract.core_machine(machine)
     png = picture(machine.Document)
     study = completed(core, results.load(machine, result))
-    files = study_files.sensitivity_files(study, settings.get("AngleUnit"), png)
+    files = study_files.sensitivity_files(study, settings.get("AngleUnit"), png, messages.language())
     if png is not None:
         files[PICTURE] = png
     return study_files.write_set(folder, "sensitivity", files)

@@ -6,12 +6,15 @@ The whole jog is one undo step; Cancel puts the parts back.
 
 from __future__ import annotations
 
+import FreeCAD as App
 import FreeCADGui as Gui
+import numpy as np
 
 from ..core import workspace
 from ..core.refusal import Refused
 from ..document import drive, extract, tree
 from ..document import jog as moving
+from ..document.kinematics import moved_back
 from . import colours, display, messages, pointers, state
 from .command import Command, Where, command
 from .current import current_machine
@@ -19,9 +22,10 @@ from .panel import Panel
 from .panel import show as show_panel
 from .preferences import number_box
 from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, translate
-from .texts import body_name, fixed
+from .texts import body_name, fixed, length, length_unit
 
 STEPS = 1000
+NEAR = 0.01  # mm from the clicked point that count as reached
 
 
 class TaskJog(Panel):
@@ -89,7 +93,11 @@ class TaskJog(Panel):
         self.home = QtGui.QPushButton(translate("Sens", "Home"))
         self.home.setToolTip(translate("Sens", "All axes to 0"))
         self.home.clicked.connect(self.go_home)
+        self.to_point = QtGui.QPushButton(translate("Sens", "To clicked point"))
+        self.to_point.setToolTip(translate("Sens", "Moves the tool to the place that was clicked in the 3D view"))
+        self.to_point.clicked.connect(self.go_to_clicked)
         row.addStretch(1)
+        row.addWidget(self.to_point)
         row.addWidget(self.home)
         grid.addLayout(row, len(self.names), 0, 1, 3)
         return box
@@ -98,7 +106,7 @@ class TaskJog(Panel):
         table = QtGui.QTableWidget(len(self.bodies), 6)
         table.setObjectName("SensOffsets")
         table.setHorizontalHeaderLabels([
-            translate("Sens", "Abbe offset / mm"), "x", "y", "z", "|r|",
+            translate("Sens", "Abbe offset / {unit}").format(unit=length_unit()[0]), "x", "y", "z", "|r|",
             display.symbol(tree.sensitivity_of(self.machine)),
         ])  # fmt: skip
         table.verticalHeader().hide()
@@ -133,6 +141,37 @@ class TaskJog(Panel):
             self.position[name] = min(max(0.0, box.minimum()), box.maximum())
         self._move()
 
+    def go_to_clicked(self, *_) -> None:
+        """Move the tool point to the place that was clicked in the view, or as near to it as the travel allows."""
+        picked = [p for s in Gui.Selection.getSelectionEx(self.document.Name, 0) for p in s.PickedPoints]
+        if not picked:
+            self.note.setText(translate("Sens", "Click the place in the 3D view first."))
+            return
+        try:
+            found = extract.survey(self.machine)
+        except Refused as error:
+            self.note.setText(messages.words(error))
+            return
+        where = moved_back(found.displacements["W"], App.Placement(picked[-1], App.Rotation())).Base
+        left = self.go_to(found.core, tuple(where))
+        if left > NEAR:
+            words = translate("Sens", "The travel ends {distance} from the clicked point.")
+            self.note.setText(words.format(distance=length(left)))
+
+    def go_to(self, core, place) -> float:
+        """Move the tool point to a place over the workpiece (as that is with all axes at 0), mm; returns how far from
+        it the tool point is then.
+        """
+        start = np.zeros(len(self.names))
+        base = core.tool_position([start])[0]
+        columns = np.stack([core.tool_position([row])[0] - base for row in np.eye(len(self.names))], axis=1)
+        q = np.linalg.lstsq(columns, np.array(place) - base, rcond=None)[0]
+        boxes = [self.numbers[name] for name in self.names]
+        q = np.clip(q, [b.minimum() for b in boxes], [b.maximum() for b in boxes])
+        self.position = dict(zip(self.names, q.tolist()))
+        self._move()
+        return float(np.linalg.norm(core.tool_position([q])[0] - np.array(place)))
+
     def _move(self) -> None:
         try:
             # what slider joints hold is moved as a drag in the assembly moves it
@@ -150,11 +189,15 @@ class TaskJog(Panel):
             self._put(name)
         self._quiet = False
         totals = self._indices()
+        unit, size = length_unit()
+        digits = 1 if unit == "mm" else 3
         for i, body in enumerate(self.bodies):
             obj = tree.body_of(self.machine, body)
             values = [getattr(obj, f"AbbeOffset{k}").Value for k in "XYZ"] if obj is not None else [None] * 3
-            length = obj.AbbeOffset.Length if obj is not None else None
-            texts = [body_name(self.machine, body)] + ["" if v is None else fixed(v, 1) for v in (*values, length)]
+            far = obj.AbbeOffset.Length if obj is not None else None
+            texts = [body_name(self.machine, body)] + [
+                "" if v is None else fixed(v / size, digits) for v in (*values, far)
+            ]
             texts.append(f"{totals[body]:.3f}" if body in totals else "–")
             for column, text in enumerate(texts):
                 item = self.table.item(i, column)

@@ -295,6 +295,7 @@ def use_name(kind: str) -> str:
             "": translate("Sens", "position {axis}"), "e": translate("Sens", "error along {axis}"),
             "n": translate("Sens", "direction of sensing {axis}"), "dir_": translate("Sens", "approach along {axis}"),
             "tool_d": translate("Sens", "tool offset {axis}"),
+            "u_e": translate("Sens", "uncertainty of the error along {axis}"),
         }  # fmt: skip
         return words[kind[:-1]].format(axis=axis)
     return {

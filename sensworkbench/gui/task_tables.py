@@ -61,7 +61,7 @@ class TaskTables(Panel):
         self.written = None
         try:
             self.written = convert.write(self.core, self._chosen())
-            text = convert.statement(self.core, self.written)
+            text = convert.statement(self.core, self.written, language=messages.language())
         except Refused as error:
             text = messages.words(error)
         self.statement.setPlainText(text)
@@ -78,7 +78,7 @@ class TaskTables(Panel):
         if not messages.may_write(folder, (*self.written.files, convert.STATEMENT)):
             return []
         try:
-            written = convert.convert(self.core, self._chosen(), folder)
+            written = convert.convert(self.core, self._chosen(), folder, language=messages.language())
         except Refused as error:
             messages.show(messages.words(error))
             return []

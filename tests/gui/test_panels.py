@@ -231,6 +231,32 @@ def test_jog_moves_parts_and_is_one_undo_step(machine, machine_doc):
     assert tree.axis_of(machine, "X").Position.Value == 0.0
 
 
+def test_the_tool_goes_to_a_clicked_point_and_says_where_the_travel_ends(machine, machine_doc):
+    panel = TaskJog(machine)
+    Gui.Control.showDialog(panel)
+    pump(60)
+    core = extract.core_machine(machine)
+    q = np.array([40.0, -30.0, -20.0])
+    place = core.tool_position([q])[0]
+    Gui.Selection.clearSelection()
+    panel.to_point.click()
+    assert panel.note.text() == "Click the place in the 3D view first."
+    panel.go("X", 55.0)  # the table stands elsewhere: the point that is clicked has moved with it
+    found = extract.survey(machine)
+    leaf = pointers.paths.leaves(tree.parts_of(machine, "W")[0])[0]
+    clicked = found.displacements["W"].multVec(App.Vector(*place))
+    Gui.Selection.addSelection(machine_doc.Name, leaf.root.Name, f"{leaf.path}Face1", *clicked)
+    panel.to_point.click()
+    assert panel.note.text() == ""
+    assert [panel.position[n] for n in core.names] == pytest.approx(q, abs=1e-3)
+    tip = extract.survey(machine)
+    assert tip.displacements["T"].multVec(machine.FunctionalPoint) == pytest.approx(
+        tip.displacements["W"].multVec(App.Vector(*place)), abs=1e-3
+    )
+    assert panel.go_to(core, place + [0, 0, 5000.0]) > 1000
+    click("Cancel")
+
+
 def test_a_drag_surveys_the_machine_once_per_step_and_computes_nothing_for_the_workspace(
     machine, machine_doc, monkeypatch
 ):
