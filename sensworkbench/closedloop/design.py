@@ -45,7 +45,7 @@ class Term:
     @property
     def title(self) -> str | Message:
         """Its name in any language; a symbol is the same in all."""
-        if self.group == "declared" and self.symbol not in ("C0Y", "B0Z", "A0Z"):
+        if self.group == "declared" and not component(self.symbol).line:
             return Message("term-order", symbol=self.symbol, order=self.order)
         if self.group == "run":
             return Message("term-run-tilt" if self.angular else "term-run-offset", run=self.symbol)

@@ -5,10 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy import optimize
 
 from sensworkbench.core.minimum_zone import smallest_tube, smallest_zone
-
-optimize = pytest.importorskip("scipy.optimize")
 
 
 def zone_by_program(columns, d) -> float:
