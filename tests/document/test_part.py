@@ -6,14 +6,13 @@ from __future__ import annotations
 import json
 
 import FreeCAD as App
+import Path
 import pytest
 
 from sensworkbench.cli.program import main
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import cam_path, examples, extract
 from sensworkbench.formats import machine_json
-
-Path = pytest.importorskip("Path")
 
 CIRCLE = [
     ("G0", {"X": 40.0, "Y": 0.0, "Z": 340.0}),
