@@ -9,6 +9,7 @@ The value of a group is its mean gain over all orders in which groups can become
 
 from __future__ import annotations
 
+import itertools
 import math
 from dataclasses import dataclass
 
@@ -80,11 +81,13 @@ def _told(covariance: np.ndarray, members) -> np.ndarray:
     return across @ (vectors[:, keep] / np.sqrt(values[keep]))
 
 
-def gaussian_shares(omega, mean, covariance, groups, weights=None) -> Shares:
+def gaussian_shares(omega, mean, covariance, groups, weights=None, beside: int | None = None) -> Shares:
     """Shapley effects of groups of correlated normal errors for Y = sum_a w_a T_a².
 
     omega : (P, 3, n) or (3, n).  mean : (n,).  covariance : (n, n).  groups : lists of columns that partition the
-    inputs, at most MOST_GROUPS.  weights : (3,), default ones.
+    inputs, at most MOST_GROUPS.  weights : (3,), default ones.  beside : number of a group that is known before all
+    others or after all of them, each in half of the orders: the others then divide among them what they have together
+    (Owen 1977, a union of players).
     """
     omega = np.asarray(omega, dtype=float)
     omega = omega[None] if omega.ndim == 2 else omega
@@ -107,13 +110,7 @@ def gaussian_shares(omega, mean, covariance, groups, weights=None) -> Shares:
         along = np.einsum("pa,pak->pk", middle, root)
         worth[mask] = 2 * np.einsum("pab,pab->p", m, m) + 4 * np.einsum("pk,pk->p", along, along)
     variance = worth[-1]
-    shares = np.zeros((count, g))
-    for mask in range(1 << g):
-        size = bin(mask).count("1")
-        for k in range(g):
-            if not mask >> k & 1:
-                weight = math.factorial(size) * math.factorial(g - size - 1) / math.factorial(g)
-                shares[:, k] += weight * (worth[mask | 1 << k] - worth[mask])
+    shares = _shapley(worth, list(range(g)), count) if beside is None else _union(worth, beside, count)
     with np.errstate(divide="ignore"):
         scale = np.where(variance > 0, 1 / variance, 0.0)[:, None]
     everything = (1 << g) - 1
@@ -121,3 +118,29 @@ def gaussian_shares(omega, mean, covariance, groups, weights=None) -> Shares:
     total = (variance[:, None] - np.stack([worth[everything ^ (1 << k)] for k in range(g)], axis=1)) * scale
     expected = np.einsum("pai,ij,paj->p", w, covariance, w, optimize=True) + (middle**2).sum(axis=1)
     return Shares(shares * scale, first, total, expected, variance)
+
+
+def _shapley(worth, players, count: int) -> np.ndarray:
+    """(count, len(players)) Shapley values.  worth : of every set of groups, as bits, (2^g, count)."""
+    out, g = np.zeros((count, len(players))), len(players)
+    for size in range(g):
+        weight = math.factorial(size) * math.factorial(g - size - 1) / math.factorial(g)
+        for chosen in itertools.combinations(range(g), size):
+            mask = sum(1 << players[k] for k in chosen)
+            for k in set(range(g)) - set(chosen):
+                out[:, k] += weight * (worth[mask | 1 << players[k]] - worth[mask])
+    return out
+
+
+def _union(worth, beside: int, count: int) -> np.ndarray:
+    """(count, g) shares where all groups but `beside` are one union of players."""
+    g = len(worth).bit_length() - 1
+    members = [k for k in range(g) if k != beside]
+    game = worth.copy()
+    for mask in range(1 << g):
+        if not mask >> beside & 1:
+            game[mask] = (worth[mask] + worth[mask | 1 << beside] - worth[1 << beside]) / 2
+    out = np.zeros((count, g))
+    out[:, members] = _shapley(game, members, count)
+    out[:, beside] = worth[-1] - out.sum(axis=1)
+    return out
