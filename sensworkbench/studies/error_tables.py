@@ -25,6 +25,7 @@ from .fitted_errors import as_direction, carried_as, line_error, series, squaren
 
 GOAL = {False: 2e-5, True: 2e-8}  # interpolation error of a table: mm, rad
 MAX_DEGREE = 30
+BEYOND, WITHIN = 5.0, 0.005  # travels beyond which, and of the travel within which, positions are in another unit
 IMPLAUSIBLE = {False: 1.0, True: 1e-2}  # mm, rad: errors from which a table is likely in another unit
 MAX_POINTS = {1: 1025, 2: 65, 3: 17}  # per axis, by the number of axes
 
@@ -233,7 +234,7 @@ def to_machine(
         raise Refused("degree-out-of-range", "--degree", degree=degree, most=MAX_DEGREE)
     tables = converted(tables, convention or Convention())
     stated = (convention or Convention()).squareness
-    findings, quality = [*tables.findings, *_implausible(tables)], []
+    findings, quality = [*tables.findings, *_implausible(tables), *_elsewhere(machine, tables)], []
     changes: dict = dict(tables.constants)
     effects = list(machine.effects)
     for table in tables.tables:
@@ -262,6 +263,25 @@ def _implausible(tables: ErrorTables) -> list[Finding]:
         if size >= IMPLAUSIBLE[angular]:
             unit = "rad" if angular else "mm"
             found.append(remark("table-size-implausible", severity="warning", symbol=symbol, size=size, unit=unit))
+    return found
+
+
+def _elsewhere(machine: Machine, tables: ErrorTables) -> list[Finding]:
+    """A warning for each axis whose positions in the tables are not those of the machine: um or m in place of mm."""
+    found, reach = [], {}
+    for table in tables.tables:
+        for name, q in zip(table.arguments, table.points.T, strict=True):
+            low, high = reach.get(name, (np.inf, -np.inf))
+            reach[name] = min(low, float(q.min())), max(high, float(q.max()))
+    for name, (low, high) in reach.items():
+        first, last = machine.joint(name).span
+        length = last - first
+        beyond = max(first - low, high - last) > BEYOND * length
+        if beyond or high - low < WITHIN * length:
+            travel = {"first": first, "last": last}
+            found.append(
+                remark("table-places-implausible", severity="warning", joint=name, low=low, high=high, **travel)
+            )
     return found
 
 

@@ -406,6 +406,18 @@ def test_a_table_in_another_unit_than_mm_and_rad_is_noticed(values, symbol, said
     assert all(f.severity == "warning" and symbol in f.text() and said in f.text() for f in found)
 
 
+@pytest.mark.parametrize(
+    ("places", "said"),
+    [("-200000 0 200000", "200000 mm"), ("-0.3 0 0.3", "0.3 mm"), ("-400 0 400", ""), ("0 50 100", "")],
+)
+def test_positions_in_another_unit_than_mm_are_noticed(places, said):
+    text = "X EXX\n" + "\n".join(f"{x} {v}" for x, v in zip(places.split(), (0, 0.005, 0.001), strict=True))
+    _, _, findings = to_machine(machine(fitted={}), isg.loads(text))
+    found = [f for f in findings if f.code == "table-places-implausible"]
+    assert len(found) == bool(said)
+    assert all(f.severity == "warning" and f.text().startswith("X: ") and said in f.text() for f in found)
+
+
 def test_a_squareness_in_another_unit_than_rad_is_noticed():
     _, _, findings = to_machine(machine(fitted={}), etalon.loads("[C0Y]\nVALUE = 20\n"))
     assert [f.message.fields["symbol"] for f in findings if f.code == "table-size-implausible"] == ["C0Y"]
