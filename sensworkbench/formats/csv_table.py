@@ -23,7 +23,7 @@ from .json_text import short
 LIMIT = 512 * 2**20  # bytes
 SEPARATORS = ("\t", ";", ",")
 MAX_COLUMNS = 100_000
-_CHUNK = 2**20  # characters that are cut into cells at a time
+_CHUNK = 2**18  # characters that are cut into cells at a time
 
 
 class Cells(Sequence):
@@ -110,7 +110,7 @@ class Table:
         comma = self.comma(column)
         if comma and self.cells.holds(column, "."):
             self._refuse_mixed(column)
-        found = [np.empty(0)]
+        found, done = np.empty(self.rows), 0
         underscore = self.cells.holds(column, "_")  # Python reads 1_000 as a number; a file does not mean it
         for block in self.cells.blocks(column):
             try:
@@ -118,12 +118,13 @@ class Table:
                     raise ValueError
                 if comma:
                     block = [c.replace(",", ".") for c in block]
-                found.append(np.array([float(c) if c else np.nan for c in block]))
+                found[done : done + len(block)] = [float(c) if c else np.nan for c in block]
             except ValueError:
                 row = self.first_bad(column)
                 cell = short(self.cells[column][row])
                 raise Refused("cell-not-a-number", self.place(row, column), cell=cell) from None
-        return np.concatenate(found)
+            done += len(block)
+        return found
 
     def _refuse_mixed(self, column: int) -> None:
         """Refuse a column in which some numbers have a decimal comma and others a point: one of them is no decimal."""

@@ -43,11 +43,13 @@ def read_bytes(path, limit: int) -> bytes:
         words = reason(error) if isinstance(error, OSError) else str(error)
         raise Refused("file-not-read", name, why=words) from None
     try:
-        mode = os.fstat(handle).st_mode
+        mode, size = os.fstat(handle).st_mode, os.fstat(handle).st_size
         if not stat.S_ISREG(mode):
             raise Refused("file-is-folder" if stat.S_ISDIR(mode) else "file-is-device", name)
         with os.fdopen(handle, "rb", closefd=False) as stream:
-            data = stream.read(limit + 1)
+            data = stream.read(min(limit, size) + 1)
+            if size < len(data) <= limit:  # longer than it was said to be
+                data += stream.read(limit + 1 - len(data))
     except OSError as error:
         raise Refused("file-not-read", name, why=reason(error)) from None
     finally:

@@ -386,12 +386,14 @@ class _Reader:
         return keep
 
     def _finish(self, keep, derive, point, sense, value, u, kind) -> Readings:
-        columns = {b: v[keep] for b, v in self.values.items() if b in self.places or b not in NOT_DRIVERS}
-        tool = np.stack([columns.pop(a, np.zeros(int(keep.sum()))) for a in TOOL], axis=1)
-        has_tool = any(a in self.values for a in TOOL)
-        categories = {k: v[keep] for k, v in self.categories.items()}
-        run = None if self.run is None else self.run[keep]
-        line = self.table.line[keep]
+        rows = slice(None) if keep.all() else keep  # a view where every row is kept: tables have millions of rows
+        columns = {b: v[rows] for b, v in self.values.items() if b in self.places or b not in NOT_DRIVERS}
+        tool = [columns.pop(a, None) for a in TOOL]
+        has_tool = any(a is not None for a in tool)
+        categories = {k: v[rows] for k, v in self.categories.items()}
+        run = None if self.run is None else self.run[rows]
+        line = self.table.line[rows]
+        tool = np.stack([np.zeros(len(line)) if a is None else a for a in tool], axis=1) if has_tool else None
         order, said = time_order(columns.get("t"), run)
         if order is not None:
             back = backwards(columns["t"])
@@ -399,7 +401,7 @@ class _Reader:
             columns = {k: v[order] for k, v in columns.items()}
             categories = {k: v[order] for k, v in categories.items()}
             run = None if run is None else run[order]
-            tool, line = tool[order], line[order]
+            tool, line = tool[order] if has_tool else None, line[order]
             place = np.empty_like(order)
             place[order] = np.arange(len(order))
             rows = np.argsort(place[point], kind="stable")
@@ -417,7 +419,7 @@ class _Reader:
             units={b: self.units.get(b, "") for b in columns},
             categories=categories,
             run=run,
-            tool_offset=tool if has_tool else None,
+            tool_offset=tool,
             line=line,
             findings=tuple(self.findings),
             alignment=self._alignment(),

@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import json
+import os
 import time
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -12,7 +14,7 @@ import pytest
 from sensworkbench import cli
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import json_text, machine_json, readings_conventions, readings_csv
+from sensworkbench.formats import files, json_text, machine_json, readings_conventions, readings_csv
 from sensworkbench.formats.exchange.known import etalon, fcm, isg
 from sensworkbench.studies.places import within_travel
 
@@ -138,6 +140,36 @@ def test_a_table_of_thirty_thousand_columns_is_read_in_time(tmp_path):
     start = time.process_time()
     assert len(readings_csv.load_positions(path).columns) == 30_003
     assert time.process_time() - start < 20
+
+
+@pytest.mark.parametrize("row", ["1,2,3\n", "1,2,3,a\n"])
+def test_a_table_of_short_rows_takes_twenty_times_its_size(tmp_path, row):
+    """The shortest rows are the dearest: each takes a place, a line number and the cells of its columns."""
+    head = "x_mm,y_mm,z_mm" + ",c" * (row.count(",") - 2) + "\n"
+    peaks = []
+    for count in (100_000, 300_000):
+        path = table(tmp_path, head + count * row)
+        tracemalloc.start()
+        try:
+            assert readings_csv.load_positions(path).points == count
+            peaks.append(tracemalloc.get_traced_memory()[1])
+        finally:
+            tracemalloc.stop()
+    assert (peaks[1] - peaks[0]) / (200_000 * len(row)) < 20
+
+
+def test_a_file_longer_than_it_says_is_read_whole(tmp_path, monkeypatch):
+    path = table(tmp_path, POSITIONS)
+    real = os.fstat
+
+    class Shorter:
+        def __init__(self, info):
+            self.st_mode, self.st_size = info.st_mode, 3
+
+    monkeypatch.setattr(files.os, "fstat", lambda handle: Shorter(real(handle)))
+    assert files.read_bytes(path, 1000) == POSITIONS.encode()
+    with pytest.raises(Refused, match="larger"):
+        files.read_bytes(path, 10)
 
 
 def test_the_time_for_a_table_grows_with_its_size(tmp_path):

@@ -8,6 +8,7 @@ digits: the truncation error is below 1e-40 of a column, the rounding error belo
 from __future__ import annotations
 
 import json
+from functools import lru_cache
 from pathlib import Path
 
 from mpmath import mp, mpf
@@ -35,10 +36,15 @@ def unit(a):
     return [x / length for x in a]
 
 
+@lru_cache(maxsize=4096)
+def _cosine_and_sine(angle, digits):
+    return mp.cos(angle), mp.sin(angle)
+
+
 def turned(x, axis, angle, about):
     """The point x turned by an angle about the line through `about` along the unit vector `axis` (Rodrigues)."""
     v = add(x, about, -1)
-    c, s = mp.cos(angle), mp.sin(angle)
+    c, s = _cosine_and_sine(angle, mp.dps)
     along = dot(axis, v) * (1 - c)
     w = cross(axis, v)
     return [about[i] + c * v[i] + s * w[i] + along * axis[i] for i in range(3)]
