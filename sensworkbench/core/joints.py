@@ -189,7 +189,7 @@ class Joint:
 
     def __post_init__(self):
         put = lambda name, value: object.__setattr__(self, name, value)  # noqa: E731 - frozen dataclass
-        where = f"axis {self.name}"
+        where = f"axis {str(self.name)[:20]}"
         check_name(self.name, where)
         if isinstance(self.kind, str):
             if self.kind not in KINDS:

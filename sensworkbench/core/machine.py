@@ -251,13 +251,30 @@ class Machine:
         z = np.cross(x, y) if even else np.cross(y, x)
         frame = np.empty((3, 3))
         frame[:, first], frame[:, second], frame[:, third] = x, y, z
-        last = next((j for j in self.joints if j.name == "XYZ"[third] and j.slides), None)
-        if last is not None and z @ np.array(last.direction) <= 0:
+        if self._counts_backwards(third, z):
             signs = np.ones((4, 3))
             signs[:, [first, second]] = list(itertools.product((1, -1), repeat=2))
             signs[:, third] = signs[:, first] * signs[:, second]
             frame = max((frame * s for s in signs), key=np.trace)
         return frame
+
+    def _counts_backwards(self, third: int, z: np.ndarray) -> bool:
+        """Whether the linear joint of the third frame axis points against z, which completes a right-handed triad."""
+        last = next((j for j in self.joints if j.name == "XYZ"[third] and j.slides), None)
+        return last is not None and z @ np.array(last.direction) <= 0
+
+    @property
+    def left_handed(self) -> bool:
+        """Whether the positive directions of X, Y and Z form a left-handed triad; see `frame`."""
+        if self._frame_joints is None:
+            return False
+        first, second = self._frame_letters
+        directions = np.zeros((3, 3))
+        for axis, joint in zip((first, second), self._frame_joints):
+            directions[axis] = joint.direction
+        third = 3 - first - second
+        directions[third] = np.cross(directions[(third + 1) % 3], directions[(third + 2) % 3])
+        return self._counts_backwards(third, directions[third])
 
     @cached_property
     def _along(self) -> dict[str, int]:

@@ -135,9 +135,8 @@ class Table:
         ]
         if None not in both:
             row = max(both)
-            raise Refused(
-                "decimal-mixed", self.place(row, column), cell=short(cells[row]), other=short(cells[min(both)])
-            )
+            cell, other = (short(cells[r][:25]) for r in (row, min(both)))
+            raise Refused("decimal-mixed", self.place(row, column), cell=cell, other=other)
 
 
 def is_number(text: str) -> bool:

@@ -204,6 +204,7 @@ class _Report:
         skew = {k: v for k, v in self.data["skew_deg"].items() if abs(v) > _ORDINARY_SKEW_DEG}
         pairs = ", ".join(f"{k[0]}-{k[1]} {v:+.4f}°" for k, v in skew.items())
         notes = [html.note(words("report-skew", pairs=pairs))] if skew else []
+        notes += [html.note(words.of(m)) for m in self.study.remarks]
         heads = [words("column-body"), "#x, mm", "#y, mm", "#z, mm", f"#{words('column-length')}"]
         explained = html.paragraph(words("report-arms-words", position=position), soft=True)
         return html.section(words("report-arms"), explained, html.table(heads, rows), *notes)

@@ -125,6 +125,7 @@ def to_dict(study: SensitivityResult, angle_unit: str = "urad") -> dict:
     return {
         "format": FORMAT,
         "version": VERSION,
+        **({"remarks": [m.to_dict() for m in study.remarks]} if study.remarks else {}),
         "errors": errors,
         "without_extent": without_extent(study),
         "components": components,

@@ -139,6 +139,14 @@ class SensitivityResult:
         """(n,) the position asked for, or the middle of the travel; mm or rad."""
         return mean_position(self.machine, self.sensitivity.positions)
 
+    @property
+    def remarks(self) -> tuple[Message, ...]:
+        """What the reader of the indices must know of the machine."""
+        means = moments(error_table(self.machine).laws).mean
+        if self.machine.left_handed and means.any():
+            return (Message("frame-left-handed"),)
+        return ()
+
 
 def sensitivity_study(
     machine: Machine,

@@ -175,3 +175,16 @@ def test_anything_else_is_not_a_structure_code(text):
 def test_direction_is_made_a_unit_vector_within_a_thousandth():
     axis = linear("X", (1.0005, 0, 0), (0, 0, 0), (0, 1))
     assert axis.direction == pytest.approx((1, 0, 0), abs=1e-15)
+
+
+def test_a_left_handed_machine_says_that_its_frame_is_the_nearest_to_the_file():
+    m = c_frame()
+    assert not m.left_handed
+    for k in AXES:
+        other = reversed_axis(m, k)
+        assert other.left_handed
+        for seed in range(3):
+            rotation = Rotation.random(random_state=seed).as_matrix()
+            assert turned(other, rotation, np.zeros(3)).left_handed
+            assert not turned(m, rotation, np.zeros(3)).left_handed
+    assert not reversed_axis(reversed_axis(m, "X"), "Z").left_handed

@@ -3,12 +3,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from sensworkbench.core import workspace
+from sensworkbench.core.distributions import Tolerance
 from sensworkbench.core.objectives import MeanSquare, Signed
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.synthesis import omega
@@ -108,3 +110,19 @@ def test_a_plan_study_needs_a_plan_or_a_number(machine):
     with pytest.raises(Refused) as refused:
         plan_study(machine, None, PlanRequest(suggest=3))
     assert refused.value.code == "plan-size" and refused.value.fields["count"] == 3
+
+
+def test_a_left_handed_machine_with_limits_about_something_else_than_zero_is_warned_of(machine):
+    """Its indices depend on how it stands in the file: the signs of its frame are those nearest to the file's axes."""
+    joints = [replace(j, direction=tuple(-v for v in j.direction)) if j.name == "Z" else j for j in machine.joints]
+    lopsided = {"EYX": Tolerance(0.0, 0.01), "EBX": Tolerance(0.0, 2e-5)}
+    left = replace(machine, joints=joints, tolerances=lopsided)
+    request = SensitivityRequest(at=(0.0, 0.0, 0.0))
+    assert [m.code for m in sensitivity_study(left, request).remarks] == ["frame-left-handed"]
+    assert (
+        sensitivity_study(
+            replace(left, tolerances={s: Tolerance(-0.01, 0.01) for s in machine.all_tolerances}), request
+        ).remarks
+        == ()
+    )
+    assert sensitivity_study(replace(machine, tolerances=lopsided), request).remarks == ()

@@ -55,5 +55,7 @@ def run(arguments) -> int:
         paths = common.batch().sensitivity(arguments.machine, arguments.out, request, unit, picture, language)
     else:
         study = sensitivity_study(machine_json.load(arguments.machine), request)
+        for remark in study.remarks:
+            common.say(f"warning: {remark.text()}")
         paths = study_files.write_sensitivity(arguments.out, study, unit, picture, language=language)
     return common.say_paths(paths)
