@@ -16,6 +16,7 @@ import pytest
 from sensworkbench import cli
 from sensworkbench.formats import file_sets, manifest, operations
 from tests.formats.support import golden, write
+from tests.formats.test_exchange_fcm import mill
 from tests.formats.test_file_sets import Injector, Stopped, hidden
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -44,13 +45,41 @@ VERBS = {
     "predict": (["predict", "f.json", "p.csv"], "o/predicted.csv"),
     "convert": (["convert", "f.json", "--to", "siemens"], "o"),
     "import-errors": (["import-errors", "m.json", "isg.csv", "--from", "isg"], "o/back.json"),
+    "import-machine": (["import-machine", "mill.fcm"], "o/mill.json"),
+    "trace": (["trace", "m.json", "r.csv", "--permutations", "199"], "o"),
+    "allocate": (["allocate", "m.json", "--target", "rms=12", "--costs", "costs.csv"], "o"),
+    "sweep": (["sweep", "sweep.json"], "o"),
+    "limits": (["limits", "m.json"], "o"),
 }
+SWEEP = {
+    "machine": "m.json",
+    "parameters": [{"path": "tool_point.2", "values": [-150, -100]}],
+    "design": "full",
+    "outputs": ["rms", "share.X"],
+}
+
+
+def given(name) -> None:
+    """The files that a verb reads beside those of `place`."""
+    if name == "import-errors":
+        write(Path("isg.csv"), "X EXX\n-300 0\n-100 0.001\n100 0.002\n200 0.001\n300 0.002\n")
+    if name == "import-machine":
+        write(Path("mill.fcm"), mill())
+    if name == "trace":
+        rows = Path("p.csv").read_text(encoding="utf-8").splitlines()[1:]
+        e = np.random.default_rng(3).normal(0, 1, (len(rows), 3))
+        table = "".join(f"{row},{a:.3f},{b:.3f},{c:.3f}\n" for row, (a, b, c) in zip(rows, e))
+        write(Path("r.csv"), "x_mm,y_mm,z_mm,ex_um,ey_um,ez_um\n" + table)
+    if name == "allocate":
+        rows = "".join(f"{s},power,10,1,0.5,40\n" for s in ("EXX", "EAX", "EBX", "C0Y"))
+        write(Path("costs.csv"), "symbol,kind,c,k,lower,upper\n" + rows)
+    if name == "sweep":
+        write(Path("sweep.json"), SWEEP)
 
 
 def do(name, *more) -> int:
     words, out = VERBS[name]
-    if name == "import-errors" and not Path("isg.csv").exists():
-        Path("isg.csv").write_text("X EXX\n-300 0\n-100 0.001\n100 0.002\n200 0.001\n300 0.002\n", encoding="utf-8")
+    given(name)
     return cli.main([*words, f"--out={out}", *more])
 
 

@@ -67,6 +67,14 @@ class Objective:
             self.expected = sum(b[i] * self.mean[i] / 2 + a[i][i] * var[i] for i in range(n))
         self.variance = sum(self.single) + sum(self.pair.values())
 
+    def each(self):
+        """(first-order, total) index of every error."""
+        touching = list(self.single)
+        for (i, j), v in self.pair.items():
+            touching[i] += v
+            touching[j] += v
+        return [(s / self.variance, t / self.variance) for s, t in zip(self.single, touching)]
+
     def group(self, members):
         """(closed first-order, total) index of a set of errors."""
         inside, members = mpf(0), set(members)

@@ -113,8 +113,7 @@ def _case(objective, kind, found, symbols, laws, machine):
                          objective["name"] == "signed")  # fmt: skip
         if here.variance == 0:
             return None
-        for i in range(n):
-            f, t = here.group([i])
+        for i, (f, t) in enumerate(here.each()):
             first[i] += f / count
             total[i] += t / count
             largest[i] = max(largest[i], t)
