@@ -129,6 +129,60 @@ def test_results_of_another_version_are_verified_and_the_version_said(place, cap
     assert "made by Sens Workbench 0.0.9" in capsys.readouterr().out
 
 
+INPUTS = {"sensitivity": ["m.json"], "trace": ["m.json", "r.csv"], "predict": ["f.json", "p.csv"]}
+
+
+@pytest.mark.parametrize("name", INPUTS)
+def test_a_result_without_manifest_is_computed_again_from_what_is_named(place, capsys, name):
+    assert do(name) == 0
+    for path in (place / "o").glob("*manifest.json"):
+        path.unlink()
+    words = ["verify", "o", *(f"--input={path}" for path in INPUTS[name])]
+    assert cli.main(words) == 0, capsys.readouterr()
+    said = capsys.readouterr().out
+    assert "without manifest" in said and "comes out the same again" in said and said.rstrip().endswith("verified")
+    assert cli.main([*words, "--input=m.json"]) == 2
+    assert "with --input" in capsys.readouterr().err
+    names = ("sensitivity.json", "trace.json", "predicted.csv")
+    file = next(place / "o" / n for n in names if (place / "o" / n).exists())
+    text = file.read_text(encoding="utf-8")
+    digit = max(i for i, c in enumerate(text) if c in "12345678" and text[i - 1] == ".")
+    write(file, text[:digit] + str(int(text[digit]) + 1) + text[digit + 1 :])
+    assert cli.main(words) == 2
+    assert f"differs: {file.name}: " in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ["--grid", "2,3,2", "--signed", "--weights", "1,-0.5,0"],
+        ["--quadrature", "3", "--squareness", "carried", "--angle-unit", "arcsec"],
+        ["--at=-10,5,3", "--output", "orientation"],
+        ["--low-discrepancy", "64"],
+    ],
+)
+def test_the_settings_that_a_result_states_are_enough_to_repeat_it(place, capsys, options):
+    assert cli.main(["sensitivity", "m.json", "--out", "o", *options]) == 0
+    assert cli.main(["verify", "o/sensitivity.json", "--input", "m.json"]) == 0, capsys.readouterr()
+
+
+def test_what_an_older_version_did_not_write_is_no_difference(place, capsys):
+    do("sensitivity")
+    data = json.loads((place / "o" / "sensitivity.json").read_text(encoding="utf-8"))
+    for error in data["errors"]:
+        del error["share"]
+    write(place / "old.json", data)
+    assert cli.main(["verify", "old.json", "--input", "m.json"]) == 0
+    assert (
+        f"note: old.json: {len(data['errors'])} entries that the older version did not write" in capsys.readouterr().out
+    )
+
+
+def test_a_result_that_does_not_say_how_it_was_made_is_refused(place, capsys):
+    assert cli.main(["verify", "m.json", "--input", "m.json"]) == 2
+    assert "says how it was made" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("name", ["nothing", "old", "m.json"])
 def test_a_result_without_manifest_is_refused(place, capsys, name):
     (place / "old").mkdir()

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from sensworkbench.core.refusal import Refused
 
-from .. import common
+from .. import common, without_manifest
 
 HELP = "whether results are whole and come out the same again"
 FILES = "none; says what differs"
@@ -20,20 +20,25 @@ FILES = "none; says what differs"
 def add(parser) -> None:
     parser.add_argument("result", metavar="RESULT", help="a folder of results, or one result file")
     parser.add_argument("--sums-only", action="store_true", help="compare the sums, compute nothing again")
+    text = "what a result without manifest was made from, in the order of its command: machine, readings or positions"
+    parser.add_argument("--input", metavar="FILE", action="append", default=[], help=text)
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import file_sets
+    from sensworkbench.formats import file_sets, manifest
 
-    folder, path, name = _manifest(arguments.result)
-    file_sets.recover(folder)
-    from sensworkbench.formats import manifest
-
+    if arguments.input:
+        sentences = without_manifest.check(Path(arguments.result), arguments.input)
+    else:
+        folder, path, name = _manifest(arguments.result)
+        file_sets.recover(folder)
+        sets = manifest.load(path)["sets"]
+        again = not arguments.sums_only
+        sentences = (words for entry in sets for words in check_set(folder, entry, name, again, sets))
     differs = 0
-    for entry in manifest.load(path)["sets"]:
-        for words in check_set(folder, entry, name, recompute=not arguments.sums_only):
-            differs += not words.startswith(("same:", "note:"))
-            common.say(words)
+    for words in sentences:
+        differs += not words.startswith(("same:", "note:"))
+        common.say(words)
     common.say("verified" if not differs else f"{differs} differences")
     return common.DONE if not differs else common.REFUSED
 
@@ -60,10 +65,11 @@ def _manifest(result) -> tuple[Path, Path, str | None]:
     raise Refused("verify-no-manifest", str(result))
 
 
-def check_set(folder: Path, entry: dict, name: str | None, recompute: bool = True):
+def check_set(folder: Path, entry: dict, name: str | None, recompute: bool = True, sets=()):
     """Say, sentence by sentence, what of one set is the same and what is not.
 
-    entry : the set in the manifest of `folder`.  name : the single result, or None for a set of files.
+    entry : the set in the manifest of `folder`.  name : the single result, or None for a set of files.  sets : all sets
+    of the manifest: those that were made within a run (a demonstration) are compared with it.
     """
     from sensworkbench.formats import manifest, provenance
 
@@ -95,9 +101,12 @@ def check_set(folder: Path, entry: dict, name: str | None, recompute: bool = Tru
         return
     if not entry["command"] or entry["command"][0] != entry["verb"]:
         inside = entry["command"][0] if entry["command"] else "a program or a window"
-        yield f"note: {verb}: made within {inside}, not computed again"
+        with_it = any(s["verb"] == inside and s["command"] == entry["command"] for s in sets)
+        yield f"note: {verb}: made within {inside}, {'computed again with it' if with_it else 'not computed again'}"
         return
-    yield from _again(folder, entry, name, found)
+    within = [s for s in sets if s["command"] == entry["command"] and s["verb"] != entry["verb"]]
+    files = [*entry["files"], *(file for s in within for file in s["files"])]
+    yield from _again(folder, entry | {"files": files}, name, found)
 
 
 def _input(folder: Path, path: str) -> Path | None:
@@ -110,10 +119,11 @@ def _input(folder: Path, path: str) -> Path | None:
 
 def _again(folder: Path, entry: dict, name: str | None, found: dict[str, str]):
     """Run the command again and say what differs."""
-    from sensworkbench.formats import comparison
+    from sensworkbench.formats import comparison, manifest
 
     from ..program import main
 
+    older = entry["made_by"] != manifest.MADE_BY
     words = [_with_inputs(word, found) for word in entry["command"]]
     with tempfile.TemporaryDirectory(prefix="sens-verify-") as place:
         out = Path(place, "out") if name is None else Path(place, name)
@@ -129,13 +139,15 @@ def _again(folder: Path, entry: dict, name: str | None, found: dict[str, str]):
             before = folder / file["name"]
             if not before.is_file():
                 continue
+            if before.suffix.lower() in comparison.NOT_COMPARED:
+                yield f"note: {file['name']}: its sum alone was compared; its numbers stand in the tables beside it"
+                continue
             if not now.is_file():
                 yield f"differs: {file['name']} is not written any more"
                 continue
-            different = comparison.differences(before, now)
-            alike += not different
-            for words_ in different:
-                yield f"differs: {file['name']}: {words_}"
+            sentences = list(without_manifest.compared(before, now, file["name"], older))
+            alike += not any(w.startswith("differs:") for w in sentences)
+            yield from sentences
         extra = sorted(p.name for p in out.iterdir()) if name is None else []
         known = {f["name"] for f in entry["files"]} | {"manifest.json"}
         for new in (n for n in extra if n not in known and not (out / n).is_dir()):
