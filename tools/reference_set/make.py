@@ -174,9 +174,9 @@ def main() -> int:
     parser.add_argument("--digits", type=int, help="compute again with so many digits and compare")
     parser.add_argument("--machine", type=int, action="append", help="only the machine with this number")
     arguments = parser.parse_args()
-    if not arguments.digits:
+    if not arguments.digits and not arguments.machine:
         write_machines()
-    else:
+    if arguments.digits:
         mp.dps, kinematics.STEP = arguments.digits, mpf(10) ** -(arguments.digits // 3)
     worst = mpf(0)
     for path in sorted(FOLDER.glob("*.machine.json")):
