@@ -12,6 +12,8 @@
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
 # make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
 # make fuzz    half a million changed files, each read or refused; the count is printed (FUZZ_INPUTS=N, FUZZ_SEED=N)
+# make coverage  branches of core and of the rest that the plain tests take, file by file
+# make mutation  small faults made one at a time: how many the tests find (LAYER=core|closedloop, SAMPLE=N, MINUTES=N)
 # make screens  a picture of every panel on each FreeCAD that is there: three sizes of screen, light and dark, in build/screens/
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
@@ -25,7 +27,7 @@ OUT ?= build/demo
 export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
-.PHONY: fuzz help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
+.PHONY: coverage mutation fuzz help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
         test-matrix bench translations screens clean
 
 help:
@@ -85,6 +87,18 @@ bench: venv
 
 fuzz: venv
 	$(VENV_PYTHON) tests/fuzz/run.py --inputs $(or $(FUZZ_INPUTS),500000) --seed $(or $(FUZZ_SEED),0)
+
+coverage: export OMP_NUM_THREADS = 1
+coverage: export OPENBLAS_NUM_THREADS = 1
+coverage: venv
+	$(VENV_PYTHON) -m coverage run --branch --source sensworkbench --data-file build/.coverage -m pytest -q -n0 \
+	    $(NEED_FREECAD:%=--ignore=%) $(or $(COVERAGE_TESTS),tests)
+	$(VENV_PYTHON) -m coverage report --data-file build/.coverage --skip-covered --include 'sensworkbench/core/*'
+	$(VENV_PYTHON) -m coverage report --data-file build/.coverage --skip-covered \
+	    --omit 'sensworkbench/core/*,sensworkbench/document/*,sensworkbench/gui/*'
+
+mutation: venv
+	$(VENV_PYTHON) tools/mutation.py $(or $(LAYER),core) $(SAMPLE:%=--sample %) $(MINUTES:%=--minutes %)
 
 translations:
 	$(PYTHON) resources/translations/update.py

@@ -44,6 +44,8 @@ def freecadcmd() -> str:
 
 def run(argv: Sequence[str]) -> int:
     """Run `python -m sensworkbench ARGV` inside FreeCAD, with the user's own add-ons; returns its exit status."""
+    for word in argv:
+        _check_path(str(word))
     program = freecadcmd()
     shared = os.name == "posix"  # elsewhere a child cannot be given streams, and FreeCAD's chatter stays in between
     streams = list(_streams()) if shared else []
@@ -78,6 +80,16 @@ def run(argv: Sequence[str]) -> int:
         for handle in (*streams, heard, told):
             if handle >= 0:
                 os.close(handle)
+
+
+def _check_path(word: str) -> None:
+    """Refuse a document in a folder whose name is not UTF-8, which FreeCAD cannot open."""
+    if word.lower().endswith(".fcstd"):
+        path = os.path.abspath(word)
+        try:
+            path.encode("utf-8")
+        except UnicodeEncodeError:
+            raise Refused("document-path-not-utf8", os.fsencode(path).decode("utf-8", "replace")) from None
 
 
 def _streams():

@@ -146,7 +146,7 @@ def _check_decimals(names, cells, mark: str, where: str, signs: dict[str, str]) 
                         raise Refused("decimal-comma", f"{where}, column {column}", cell=short(cell))
                     signs.setdefault(sign, cell)
             if len(signs) == 2:
-                a, b = signs["."], signs[","]
+                a, b = signs["."][:25], signs[","][:25]
                 raise Refused("decimal-mixed", f"{where}, column {column}", cell=short(a), other=short(b))
 
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import io
+import os
 import time
 import zipfile
 from pathlib import Path
@@ -115,3 +116,16 @@ def test_a_closed_stream_does_not_stop_the_hand_over(monkeypatch):
     monkeypatch.setenv("SENS_FREECADCMD", "/bin/false")
     with pytest.raises(Refused):
         handoff.run(["sensitivity"])
+
+
+@pytest.mark.skipif(os.name != "posix", reason="paths are bytes on POSIX systems only")
+def test_a_document_in_a_folder_whose_name_is_not_utf8_is_refused_for_its_path(tmp_path, monkeypatch):
+    monkeypatch.setenv("SENS_FREECADCMD", "/bin/true")
+    folder = os.fsencode(tmp_path) + b"/a\xff"
+    os.mkdir(folder)
+    path = os.fsdecode(folder + b"/m.FCStd")
+    Path(path).write_bytes(GOOD.read_bytes())
+    with pytest.raises(Refused) as refused:
+        handoff.run(["sensitivity", path, "--out", str(tmp_path / "o")])
+    assert refused.value.code == "document-path-not-utf8"
+    refused.value.message.encode("utf-8")
