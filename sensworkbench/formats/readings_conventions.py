@@ -52,7 +52,12 @@ def read_answers(comments, header: Mapping, names_line: int, source: str) -> dic
     for text, _ in stated:
         if not question(text) and not readings_records.statement(text)[0]:
             known = [*ANSWERS, *readings_records.KEYS]
-            raise Refused("statement-unknown", "mapping, header", text=short(text), known=known)
+            raise Refused(
+                "statement-unknown",
+                "mapping, header",
+                text=short(text),
+                known=[*known[:12], *(["…"] if len(known) > 12 else [])],
+            )
     answers: dict[str, tuple[tuple[str, ...], int]] = {}
     for text, line in stated + [(text, line) for line, text in comments]:
         key, said = _statement(text)
