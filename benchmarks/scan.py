@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How fast a trace is: the scan against refitting every candidate, a whole trace, and 100,000 readings in memory.
 
-Run `python benchmarks/scan.py` (or `python -m benchmarks.scan`); `--parts scan trace large`, `--large 20000`.  Each
-part runs in its own process on `--threads` threads (default 2), so that peak memory does not mix.  A reading is a
-vector of three displacements: 1,000 readings are 3,000 rows.
+Run `python benchmarks/scan.py` (or `python -m benchmarks.scan`); `--parts scan trace sizes`, `--sizes 500 5000`.  Each
+part and size runs in its own process on `--threads` threads (default 2), so that peak memory does not mix.  A reading
+is a vector of three displacements: 1,000 readings are 3,000 rows.
 
 scan: all candidates scored beside the declared model, then again under 999 sign flips of whole blocks.  The refit is
 `numpy.linalg.lstsq` of the declared model with and without the candidate, on a sample of the same candidates in the
 same run, times their number; both give the same gains, which is checked.  The ratio is without sign flips on either
 side; with them, every flip would be a refit too.
 trace: the whole of `closedloop.trace`, 199 and 999 sign flips.
-large: the whole trace of `--large` readings, with its peak memory beside that before it began.
+sizes: the whole trace of 500, 5,000, 50,000 and 100,000 readings: wall and processor time, time per reading, peak
+memory, and the ratio to one `numpy.linalg.lstsq` of the declared model on the same readings in the same process, which
+finds no noise, no outlier and no effect.
 """
 
 from __future__ import annotations
@@ -31,7 +33,9 @@ AIMS = {
     "times refitting": ("scan", "ratio", 200.0),
     "candidates": ("scan", "candidates", 10_000),
     "whole trace, s": ("trace", "seconds", 60.0),
-    "large: peak MiB": ("large", "peak_mib", 2048.0),
+    "500 readings, s": ("500", "seconds", 5.0),
+    "100,000 readings, s": ("100000", "seconds", 60.0),
+    "100,000: peak MiB": ("100000", "peak_mib", 1536.0),
 }
 NOISE = 0.4e-3  # mm
 
@@ -143,7 +147,7 @@ def traced(count: int, flips: int) -> dict:
     machine, readings = measured(count)
     before = peak_mib()
     stages = []
-    begin = time.perf_counter()
+    begin, worked = time.perf_counter(), time.process_time()
 
     def tell(fraction, words):
         stages.append([round(time.perf_counter() - begin, 2), words])
@@ -154,6 +158,7 @@ def traced(count: int, flips: int) -> dict:
         "readings": count,
         "flips": flips,
         "seconds": time.perf_counter() - begin,
+        "processor_s": time.process_time() - worked,
         "before_mib": before,
         "peak_mib": peak_mib(),
         "stages": stages,
@@ -162,13 +167,28 @@ def traced(count: int, flips: int) -> dict:
     }
 
 
+def beside_lstsq(count: int) -> dict:
+    """A whole trace, and then one least squares fit of the declared model by numpy on the same readings."""
+    import numpy as np
+
+    from sensworkbench.closedloop.design import design
+
+    found = traced(count, 199)
+    machine, readings = measured(count)
+    matrix = design(machine, readings).matrix
+    size = np.maximum(np.linalg.norm(matrix, axis=0), 1e-300)
+    begin = time.perf_counter()
+    np.linalg.lstsq(matrix / size, readings.value, rcond=1e-9)
+    return found | {"lstsq_s": time.perf_counter() - begin}
+
+
 def run_part(name: str, options) -> dict:
     if name == "scan":
         return scan(options.readings, options.flips, options.sample)
     if name == "trace":
         found = traced(options.readings, 199)
         return found | {"with_999_flips_s": traced(options.readings, 999)["seconds"]}
-    return traced(options.large, 199)
+    return beside_lstsq(options.sizes[0])
 
 
 def report(name: str, found: dict) -> list[str]:
@@ -185,6 +205,13 @@ def report(name: str, found: dict) -> list[str]:
             f"{found['ratio_with_flips']:,.0f})",
         ]
     names = ", ".join(" ".join(e) for e in found["effects"]) or "nothing named"
+    if "lstsq_s" in found:
+        return [
+            f"{found['readings']:>8,} readings {found['seconds']:8.1f} s ({found['processor_s']:.1f} s of processors) "
+            f"{1e3 * found['seconds'] / found['readings']:7.2f} ms each, peak {found['peak_mib']:,.0f} MiB, "
+            f"{found['seconds'] / found['lstsq_s']:,.0f} times lstsq ({found['lstsq_s']:.3f} s); "
+            f"{found['verdict']}: {names}"
+        ]
     lines = [
         f"{name}: {found['readings']:,} readings: {found['seconds']:.1f} s, peak {found['peak_mib']:.0f} MiB "
         f"(before it {found['before_mib']:.0f}), {found['verdict']}: {names}"
@@ -197,9 +224,9 @@ def report(name: str, found: dict) -> list[str]:
 def main(argv=None) -> int:
     """Run the parts, each in its own process, and hold them against the aims."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--parts", nargs="*", default=["scan", "trace", "large"], choices=["scan", "trace", "large"])
+    parser.add_argument("--parts", nargs="*", default=["scan", "trace", "sizes"], choices=["scan", "trace", "sizes"])
     parser.add_argument("--readings", type=int, default=1000)
-    parser.add_argument("--large", type=int, default=100_000)
+    parser.add_argument("--sizes", type=int, nargs="*", default=[500, 5000, 50_000, 100_000])
     parser.add_argument("--flips", type=int, default=999)
     parser.add_argument("--sample", type=int, default=60, help="candidates refitted")
     parser.add_argument("--threads", type=int, default=2)
@@ -208,19 +235,21 @@ def main(argv=None) -> int:
     if options.json:
         print(json.dumps(run_part(options.parts[0], options)))
         return 0
-    numbers = [f"--{n}={getattr(options, n)}" for n in ("readings", "large", "flips", "sample")]
+    numbers = [f"--{n}={getattr(options, n)}" for n in ("readings", "flips", "sample")]
     threads = {f"{k}_NUM_THREADS": str(options.threads) for k in ("OMP", "OPENBLAS", "MKL", "VECLIB_MAXIMUM")}
     results = {}
-    for name in options.parts:
-        line = [sys.executable, str(Path(__file__).resolve()), "--json", "--parts", name, *numbers]
+    jobs = [(p, p, []) for p in options.parts if p != "sizes"]
+    jobs += [("sizes", str(s), ["--sizes", str(s)]) for s in options.sizes if "sizes" in options.parts]
+    for part, name, more in jobs:
+        line = [sys.executable, str(Path(__file__).resolve()), "--json", "--parts", part, *numbers, *more]
         done = subprocess.run(line, env=os.environ | threads, capture_output=True, text=True, check=False)
         if done.returncode:
             print(f"{name}: failed\n{done.stderr.strip().splitlines()[-1] if done.stderr.strip() else done.returncode}")
             continue
         results[name] = json.loads(done.stdout.splitlines()[-1])
-        print("\n".join(report(name, results[name])), flush=True)
+        print("\n".join(report(part, results[name])), flush=True)
     print()
-    met = len(results) == len(options.parts)
+    met = len(results) == len(jobs)
     for words, (part, key, aim) in AIMS.items():
         if part in results:
             value = results[part][key]
