@@ -7,7 +7,8 @@ from collections.abc import Callable, Hashable
 from typing import TypeVar
 
 T = TypeVar("T")
-MOST = 400 * 2**20  # bytes of the arrays that are kept; a large table keeps its last fit or two
+MOST = 256 * 2**20  # bytes of the arrays that are kept; a large table keeps its last fit or two
+MOST_AT_THE_END = 64 * 2**20  # where a result is made, which needs room of its own
 
 
 class Kept:
@@ -27,7 +28,11 @@ class Kept:
             found = value, size(value)
             self.total += found[1]
         self.values[key] = found
-        while self.total > self.most and len(self.values) > 1:
+        self.trim(self.most, 1)
+        return found[0]
+
+    def trim(self, most: int, least: int = 0) -> None:
+        """Forget the least recently used beyond `most` bytes, but for `least` values."""
+        while self.total > most and len(self.values) > least:
             oldest = next(iter(self.values))
             self.total -= self.values.pop(oldest)[1]
-        return found[0]

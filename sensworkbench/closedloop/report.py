@@ -353,8 +353,9 @@ def _residual(x, y, fitted: Fit) -> np.ndarray:
     white = fitted.white(x)
     size = np.linalg.norm(white, axis=0)
     size = np.where(size > 0, size, 1.0)
-    solution, *_ = np.linalg.lstsq(white / size, fitted.white(y), rcond=1e-9)
-    return y - (x / size) @ solution
+    white /= size
+    solution, *_ = np.linalg.lstsq(white, fitted.white(y), rcond=1e-9)
+    return y - x @ (solution / size)
 
 
 def _sensitivity_shift(before: Machine, after: Machine) -> tuple[IndexShift, ...]:

@@ -20,6 +20,7 @@ from .checks import contradicted
 from .declared import aligned, without_known_effects
 from .design import check_three_axes
 from .fit import Fit
+from .kept import MOST_AT_THE_END
 from .problem import Problem, State
 from .readings import Readings
 from .remainder import Rest, rest
@@ -77,6 +78,7 @@ def trace(
             left = rest(state)
     _tell(tell, 0.75, "what is left is tested")
     full = state.fit_with([*(s.candidate for s in state.named), *left.smooth])
+    state.problem.kept.trim(MOST_AT_THE_END)
     return result(state, declared, full, left, verdict(state, left, full), flipped, tell)
 
 
