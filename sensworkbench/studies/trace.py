@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -25,10 +25,15 @@ SHORT_ARM = 1 / 3  # of the longest column of Omega: readings below it say littl
 
 @dataclass(frozen=True)
 class TraceRequest:
-    """seed : of permutations and half-samples.  permutations : behind each p, FEWEST to MOST."""
+    """seed : of permutations and half-samples.  permutations : behind each p, FEWEST to MOST.
+
+    alignment : of the set-up, "once", "offset per run" or "per run", in place of what the readings state; "": as they
+    state.
+    """
 
     seed: int = 0
     permutations: int = FEWEST
+    alignment: str = ""
 
 
 def trace_study(
@@ -40,11 +45,14 @@ def trace_study(
     """What the readings show that the declared model lacks.
 
     progress : called with the part that is done, 0 to 1; a false answer cancels.  Refuses a number of permutations
-    that is out of range, readings that are too few, and positions that cannot be those of the machine.
+    that is out of range, readings that are too few, and positions that cannot be those of
+    the machine.
     """
     if not FEWEST <= request.permutations <= MOST:
         count = request.permutations
         raise Refused("trace-permutations", "--permutations", count=count, least=FEWEST, most=MOST)
+    if request.alignment:
+        readings = replace(readings, alignment=request.alignment)
     readings = within_travel(machine, readings)
     return trace(machine, readings, seed=request.seed, permutations=request.permutations, progress=progress)
 

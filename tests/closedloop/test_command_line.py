@@ -192,6 +192,24 @@ def test_too_few_readings_are_refused(folder, tmp_path):
     assert not (tmp_path / "out").exists()
 
 
+def test_the_alignment_of_the_command_line_replaces_that_of_the_header(folder, tmp_path):
+    rows = (folder / "measured.csv").read_text(encoding="utf-8").splitlines()
+    at = next(i for i, row in enumerate(rows) if not row.startswith("#"))
+    body = [f"{row},{1 + i // 100}" for i, row in enumerate(rows[at + 1 :])]
+    text = ["# alignment: once", *rows[:at], rows[at] + ",run", *body]
+    (tmp_path / "measured.csv").write_text("\n".join(text) + "\n", encoding="utf-8")
+    for option, said in ((), "once"), (("--alignment", "offset-per-run"), "offset per run"):
+        words = (folder / "machine.json", tmp_path / "measured.csv", "--out", tmp_path / "out", *option)
+        assert command("trace", *words).returncode == 0
+        assert json.loads((tmp_path / "out" / "trace.json").read_text(encoding="utf-8"))["alignment"] == said
+
+
+def test_an_alignment_per_run_of_readings_without_runs_is_refused(folder, tmp_path):
+    words = (folder / "machine.json", folder / "measured.csv", "--out", tmp_path / "out", "--alignment", "per-run")
+    run = command("trace", *words)
+    assert run.returncode == 2 and "no column run" in run.stderr and not (tmp_path / "out").exists()
+
+
 def test_a_prediction_without_the_effect_s_column_is_refused(folder, report, tmp_path):
     column = report["effects"][0]["driver"]
     rows = [r.split(",") for r in (folder / "positions.csv").read_text(encoding="utf-8").splitlines()]

@@ -11,6 +11,7 @@ from .. import common
 
 HELP = "from readings to the effect that the model lacks"
 FILES = "`trace.json`, `report.html`, `machine_augmented.json` (`.FCStd`), `covariance.npz`"
+ALIGNMENTS = {"once": "once", "offset-per-run": "offset per run", "per-run": "per run"}  # option -> as in a header
 AUGMENTED = "machine_augmented.FCStd"
 
 
@@ -24,6 +25,8 @@ def add(parser) -> None:
     parser.add_argument("--seed", metavar="N", type=common.whole, default=0, help=text)
     text = "behind each p (default 199)"
     parser.add_argument("--permutations", metavar="N", type=common.whole, default=199, help=text)
+    text = "of the set-up, in place of what the header of MEASURED.csv says (default: as it says, else by the readings)"
+    parser.add_argument("--alignment", choices=tuple(ALIGNMENTS), default="", help=text)
     common.add_language(parser)
 
 
@@ -36,7 +39,8 @@ def run(arguments) -> int:
     def traced(machine):
         readings = readings_csv.load(arguments.readings, mapping, machine.joints)
         with common.rows_of(arguments.readings):
-            return trace_study(machine, readings, TraceRequest(arguments.seed, arguments.permutations))
+            alignment = ALIGNMENTS.get(arguments.alignment, "")
+            return trace_study(machine, readings, TraceRequest(arguments.seed, arguments.permutations, alignment))
 
     if not common.is_document(arguments.machine):
         outcome = traced(machine_json.load(arguments.machine))
