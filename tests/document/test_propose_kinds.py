@@ -12,7 +12,7 @@ import pytest
 
 from sensworkbench.document.propose import engine
 
-from .machines import joined, kinds, odd, writers
+from .machines import add, bored, box, joined, kinds, odd, part, rod, writers
 
 HAS_JOINTS = importlib.util.find_spec("UtilsAssembly") is not None  # FreeCAD 1.0 and later
 WRITERS = {**writers.WRITERS, **(joined.JOINED if HAS_JOINTS else {})}
@@ -95,3 +95,21 @@ def test_a_machine_drawn_in_inches_is_found_with_its_travels_as_drawn(doc):
     assert right(kind, found, App.Rotation())
     for axis, length in kind.truth.travel.items():
         assert np.ptp(found.axes[axis].travel) == pytest.approx(length / 25.4, rel=0.01)
+
+
+def test_a_part_number_says_the_travel_where_rail_and_block_do_not_touch(doc):
+    base, table, head = (part(doc, n) for n in ("Base", "Y Table", "Z Head"))
+    add(doc, "Slab", box((-300, 300), (-400, 400), (0, 50)), base)
+    add(doc, "HGR20-600", box((-10, 10), (-200, 200), (50, 68)), base)  # drawn short
+    add(doc, "SFU1605-650", rod((60, -380, 75), "y", 760, 8), base)
+    add(doc, "Board", box((-200, 200), (-60, 60), (120, 140)), table)
+    add(doc, "HGH20CA", box((-20, 20), (-40, 40), (75, 119)), table)
+    add(doc, "SFU1605 nut", bored(box((40, 80), (-20, 20), (60, 118)), (60, -21, 75), "y", 42, 9), table)
+    add(doc, "Spindle", rod((0, 0, 200), "z", 150, 30), head)
+    doc.recompute()
+    found = engine.propose(doc)
+    axis = found.axes["Y"]
+    said = {m.code: m.fields for m in axis.evidence}
+    assert abs(axis.u[1]) == 1 and said["propose-evidence-screw"]["part"] == "SFU1605-650"
+    assert said["propose-travel-part"]["part"] == "HGR20-600"
+    assert np.ptp(axis.travel) == pytest.approx(600 - 80)

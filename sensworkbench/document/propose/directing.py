@@ -46,7 +46,7 @@ def direct(document: Document, reading: Reading, places, axes, up, said: Words, 
         link.confidence = _confidence(link, against)
 
 
-VOTED = {"propose-evidence-" + w for w in ("contact", "inside", "room", "upright", "level", "letter")}
+VOTED = {"propose-evidence-" + w for w in ("contact", "inside", "room", "upright", "level", "letter", "screw")}
 
 
 def _votes(document, reading, link, places, axes, up, said, slides, size) -> list[Evidence]:
@@ -77,6 +77,7 @@ def _votes(document, reading, link, places, axes, up, said, slides, size) -> lis
     elif all(e.u is None or e.code != "propose-evidence-guide" for e in votes):
         for guide in link.guides:
             votes.append(guide_evidence(document, guide))
+    votes += _screws(document, inner, outer, axes)
     roles = roles_of(places, units, outer)
     letters = {places[n][1] for n in outer if places.get(n, ("", ""))[1]}
     if roles & words.VERTICAL or (roles & {"tool"} and not roles & words.LEVEL and not said.lathe):
@@ -135,6 +136,37 @@ def inner_guides(document, inner, outer, axes, size, shares=(0.5, 0.2)) -> list[
                 Evidence("propose-evidence-inside", share * lengths[k] / lengths.sum(), axes[k], {"part": label[k]})
             )
     return votes
+
+
+def _screws(document, inner, outer, axes) -> list[Evidence]:
+    """A screw that one body holds, and a nut of the other on it, or the other's parts around it: along the screw."""
+    votes: dict[int, Evidence] = {}
+    for own, other in ((inner, outer), (outer, inner)):
+        for n in own:
+            screw = document.units[n]
+            if screw.hardware != "screw":
+                continue
+            size = screw.box[3:] - screw.box[:3]
+            k = int(np.argmax(np.abs(axes @ np.eye(3)[int(np.argmax(size))])))
+            if size.max() < 5 * np.sort(size)[1]:
+                continue
+            around = [m for m in other if _around(document.units[m].box, screw.box)]
+            if around:
+                nut = any(document.units[m].hardware == "nut" for m in around)
+                weight = 0.45 if nut else 0.2
+                if k not in votes or votes[k].weight < weight:
+                    votes[k] = Evidence("propose-evidence-screw", weight, axes[k], {"part": screw.label})
+    return list(votes.values())
+
+
+def _around(box, screw) -> bool:
+    """Whether a box is threaded on a screw: around its line, and shorter than it."""
+    size = screw[3:] - screw[:3]
+    k = int(np.argmax(size))
+    rest = [i for i in range(3) if i != k]
+    middle = ((screw[3:] + screw[:3]) / 2)[rest]
+    over = np.all(box[rest] < middle) and np.all(box[[i + 3 for i in rest]] > middle)
+    return bool(over and box[k] > screw[k] and box[k + 3] < screw[k + 3])
 
 
 def _room(document, inner, outer, axes) -> list[Evidence]:

@@ -7,6 +7,7 @@ import numpy as np
 
 from ...messages import Message
 from .found import ASSUMED_TRAVEL, State
+from .guides import shape_of
 from .links import Link, Reading
 
 
@@ -50,6 +51,12 @@ def travel_of(state: State, reading: Reading, link: Link, u, on_work: bool):
         ends = (low, high) if not on_work else (-high, -low)
         return (ends[0] + 0.0, ends[1] + 0.0), point, False, Message("propose-travel-guide", length=ends[1] - ends[0])
     inner = reading.bodies[link.inner]
+    part = _by_part(document, inner, outer, u)
+    if part is not None:
+        unit, (down, ahead) = part
+        ends = (-down / k, ahead / k) if not on_work else (-ahead / k, down / k)
+        why = Message("propose-travel-part", part=unit.label, length=ends[1] - ends[0])
+        return (ends[0] + 0.0, ends[1] + 0.0), point, True, why
     lows = [min(document.units[n].extent(u)[0] for n in b) for b in (inner, outer)]
     highs = [max(document.units[n].extent(u)[1] for n in b) for b in (inner, outer)]
     down, ahead = lows[1] - lows[0], highs[0] - highs[1]
@@ -57,3 +64,32 @@ def travel_of(state: State, reading: Reading, link: Link, u, on_work: bool):
         ends = (-down / k, ahead / k) if not on_work else (-ahead / k, down / k)
         return (ends[0] + 0.0, ends[1] + 0.0), point, True, Message("propose-travel-gap", length=ends[1] - ends[0])
     return (-ASSUMED_TRAVEL, ASSUMED_TRAVEL), point, True, Message("propose-travel-assumed")
+
+
+def _by_part(document, inner, outer, u):
+    """(rail, shaft or screw, (room below, room above)) of the one that one body has along u, whose blocks or nuts the
+    other has, and that leaves least; None where there is none.
+
+    A length that the part number states replaces the drawn one.
+    """
+    best = None
+    for own, other, moves in ((inner, outer, False), (outer, inner, True)):
+        riders = [n for n in other if document.units[n].hardware in ("block", "nut")]
+        if not riders:
+            continue
+        low = min(document.units[n].extent(u)[0] for n in riders)
+        high = max(document.units[n].extent(u)[1] for n in riders)
+        for n in own:
+            unit = document.units[n]
+            if unit.hardware not in ("rail", "shaft", "screw"):
+                continue
+            start, end = unit.extent(u)
+            drawn = end - start
+            if not any(shape_of(s, 0.0)[0] and float(s.size @ np.abs(u)) > 0.9 * drawn for s in unit.solids):
+                continue
+            stated = (unit.stated_length or 0.0) * document.frame.scale
+            spare = (stated - drawn) / 2 if 0.5 * drawn < stated < 2 * drawn else 0.0
+            room = (low - start + spare, end - high + spare)
+            if min(room) >= 0 and sum(room) > 5 and (best is None or sum(room) < sum(best[1])):
+                best = unit, (room[::-1] if moves else room)
+    return best
