@@ -237,7 +237,7 @@ def report(rows) -> str:
     nulls, effects = ([r for r in rows if bool(r["size"]) == kind] for kind in (False, True))
     failed = sum("failed" in r for r in rows)
     seeds = sorted(r["seed"] for r in rows)
-    commits = sorted({r.get("commit", "?") for r in rows})
+    commits = sorted({r.get("commit") or "unknown" for r in rows})
     head = (
         f"{datetime.date.today().isoformat()}, version {__version__}, commit {', '.join(commits)}, seeds {seeds[0]} to "
         f"{seeds[-1]}: {len(nulls)} nulls, {len(effects)} effects, {failed} failed."
@@ -279,6 +279,9 @@ def main(argv=None) -> int:
     if not options.table:
         known = {(r["case"], r["size"], r["seed"]) for r in rows}
         options.out.parent.mkdir(parents=True, exist_ok=True)
+        if options.out.exists() and not options.out.read_bytes().endswith(b"\n"):  # stopped within a line
+            with options.out.open("a", encoding="utf-8") as stream:
+                stream.write("\n")
         begin, mark = time.monotonic(), commit()
         for name, size, seed in jobs(options.nulls, options.each, options.seed):
             if (name, size, seed) in known or (options.only and name not in options.only):
