@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """How often a trace names something that is not there, and how small an effect it still names: docs/tracing-study.md.
 
-Run `python -m benchmarks.tracing_study` (2,240 nulls, 840 effects: about two hours of one core), or with `--nulls 20
---each 2` for a short one; `--table` prints the tables of what is there.  One line of JSON per case is appended to the
-file `--out`; a case that stands there is not computed again, so a study that was stopped goes on.  The designs are in
-benchmarks/study_designs.py.
+Run `python -m benchmarks.tracing_study` (2,240 nulls, 840 effects: about an hour and a half of one core), or with
+`--nulls 6 --each 1` for a short one; `--table` prints the tables of what is there.  One line of JSON per case is
+appended to the file `--out`; a case that stands there is not computed again, so a study that was stopped goes on.  The
+designs are in benchmarks/study_designs.py.
 """
 
 from __future__ import annotations
