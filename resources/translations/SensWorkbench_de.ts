@@ -2339,6 +2339,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_EditReadings</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Changes what the columns of an imported table are taken for</source>
+      <translation>Ändert, wofür die Spalten einer importierten Tabelle gelten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Columns of the Readings…</source>
+      <translation>Spalten der Messwerte…</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Effect</name>
     <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />

@@ -2339,6 +2339,19 @@
     </message>
   </context>
   <context>
+    <name>Sens_EditReadings</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Changes what the columns of an imported table are taken for</source>
+      <translation>가져온 표의 열이 무엇을 뜻하는지 바꿉니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_readings.py" />
+      <source>Columns of the Readings…</source>
+      <translation>측정값의 열…</translation>
+    </message>
+  </context>
+  <context>
     <name>Sens_Effect</name>
     <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />

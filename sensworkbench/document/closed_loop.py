@@ -111,15 +111,36 @@ def make_readings(machine, path, mapping=None, label: str | None = None):
     obj = _make(machine, ReadingsObject, "Readings", label or path.stem)
     obj.Table = str(path)
     put(obj, "Source", path.name)
-    put(obj, "Mapping", json.dumps(mapping or {}, sort_keys=True))
     put(obj, "Sha256", hashlib.sha256(path.read_bytes()).hexdigest())
+    _describe(obj, readings, mapping)
+    return obj
+
+
+def map_again(obj, mapping) -> None:
+    """Take the columns of a Readings object for something else; a trace of them was of other readings and goes.
+
+    mapping : as in `make_readings`.  Refuses what cannot be read, and a trace whose effects were added; nothing is
+    changed then.
+    """
+    from ..formats import readings_csv
+
+    readings, trace = readings_csv.load(obj.Table, mapping), trace_of(obj)
+    if trace is not None:
+        if added_effects(trace):
+            raise Refused("trace-effects-added", trace.Label)
+        obj.Document.removeObject(trace.Name)
+    _describe(obj, readings, mapping)
+
+
+def _describe(obj, readings, mapping) -> None:
+    """Write to a Readings object what its table was taken for."""
+    put(obj, "Mapping", json.dumps(mapping or {}, sort_keys=True))
     put(obj, "Points", readings.points)
     put(obj, "Rows", readings.rows)
     units = {name: readings.units.get(name, "") for name in readings.columns}
     put(obj, "Columns", [f"{name} ({unit})" if unit else name for name, unit in units.items()])
     put(obj, "Runs", [] if readings.run is None else sorted({str(r) for r in readings.run}))
     put(obj, "Findings", [told.dumps(finding_message(f)) for f in readings.findings])
-    return obj
 
 
 def finding_message(finding) -> Message:

@@ -134,3 +134,19 @@ def mapping(names: Sequence[str], found: Sequence[Guess], constants: Mapping[str
     if answers:
         table["header"] = dict(answers)
     return table
+
+
+def from_mapping(names: Sequence[str], table: Mapping) -> tuple[list[Guess], dict[str, float], dict[str, str]]:
+    """(what each column is taken as, constants, answers) from which `mapping` makes `table` again."""
+    ignored, answers = set(table.get("ignore", ())), dict(table.get("header", {}))
+    constants = {k: float(v) for k, v in table.items() if isinstance(v, (int, float))}
+    ours = {v: k for k, v in table.items() if isinstance(v, str)}
+    found = []
+    for written in names:
+        one = guess(ours.get(written, written))
+        if written in ignored:
+            one = Guess(IGNORE)
+        elif written not in ours and one.column != written:
+            one = Guess(DRIVER)
+        found.append(one)
+    return found, constants, answers

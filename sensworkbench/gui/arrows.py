@@ -34,7 +34,6 @@ class Arrow:
     at: float = 0.5
     head: bool = True
     below: bool = False
-    leftwards: bool = False
 
 
 def _shaft(start, end, colour, head: bool, thickness: float):
@@ -80,7 +79,7 @@ def _text(arrow: Arrow):
     place = coin.SoTranslation()
     place.translation = tuple(a + (b - a) * arrow.at for a, b in zip(arrow.start, arrow.end))
     image = coin.SoImage()
-    image.horAlignment = coin.SoImage.RIGHT if arrow.leftwards else coin.SoImage.LEFT
+    image.horAlignment = coin.SoImage.LEFT
     image.vertAlignment = coin.SoImage.TOP if arrow.below else coin.SoImage.BOTTOM
     set_image(image, label(arrow.text, arrow.colour))
     node.addChild(place)

@@ -51,7 +51,7 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             if sign < 0:  # the carriage of a workpiece goes the other way than the tool on it
                 text += "\n" + translate("Sens", "for +{name} the table moves to −{name}").format(name=body)
             higher = 1.0 if (b - a).dot(UP) >= 0 else 0.0  # that of the reference point stands below it
-            found.append(Arrow(tuple(a), tuple(b), colour, text, higher, leftwards=True))
+            found.append(Arrow(tuple(a), tuple(b), colour, text, higher))
         text = translate("Sens", "Reference {name}").format(name=name)
         if offset.Length < 1e-6:
             found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text, below=True))

@@ -7,16 +7,17 @@ every change, so that remarks and refusals with their lines are shown before any
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 from ..core.refusal import Refused
-from ..document import closed_loop
+from ..document import closed_loop, tree
 from ..formats import column_guess, csv_table, readings_csv
 from ..formats.column_guess import DRIVER, IGNORE, Guess
 from ..formats.readings_conventions import ANSWERS, question
 from . import messages
 from .command import Command, Where, command
-from .current import current_machine
+from .current import current_machine, current_table
 from .panel import Panel
 from .panel import rows as form_rows
 from .panel import show as show_panel
@@ -28,21 +29,26 @@ ASKED = ("sign", "frame", "positions")
 
 
 class TaskReadings(Panel):
-    """The panel for one file.  `mapping()` is the present choice of columns; `readings` its result, None if refused."""
+    """The panel for one file.  `mapping()` is the present choice of columns; `readings` its result, None if refused.
+
+    imported : the Readings object whose columns are chosen again; None: the file is imported.
+    """
 
     guide = "8. Close the loop: readings in, the missing effect out"
 
-    def __init__(self, machine, path):
-        self.machine, self.path = machine, Path(path)
+    def __init__(self, machine, path, imported=None):
+        self.machine, self.path, self.imported = machine, Path(path), imported
         self.table = csv_table.read(self.path)  # refuses before anything is opened
-        self.guesses = column_guess.guesses(self.table.names)
+        self.guesses, before = column_guess.guesses(self.table.names), ({}, {})
+        if imported is not None:
+            self.guesses, *before = column_guess.from_mapping(self.table.names, json.loads(imported.Mapping))
         self.stated = {question(text): line for line, text in self.table.comments if question(text)}
         self.readings = None
         self._timer = QtCore.QTimer()
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(self.check)
         self.make_form(
-            "SensReadings", translate("Sens", "Import {name}").format(name=self.path.name), "Sens_ImportReadings"
+            "SensReadings", translate("Sens", "Import {name}").format(name=self._name()), "Sens_ImportReadings"
         )
         layout = QtGui.QVBoxLayout(self.form)
         layout.addWidget(QtGui.QLabel(translate("Sens", "What each column of the table is:")))
@@ -67,7 +73,19 @@ class TaskReadings(Panel):
         row.addStretch(1)
         row.addWidget(self.save)
         layout.addLayout(row)
+        self._restore(*before)
         self.check()
+
+    def _name(self) -> str:
+        """The file as the user knows it."""
+        return self.path.name if self.imported is None else self.imported.Source
+
+    def _restore(self, constants: dict, answers: dict) -> None:
+        """Fill in what was chosen before."""
+        for axis, field in self.constants.items():
+            field.setValue(constants.get(f"{axis}_mm", 0.0))
+        for key, field in self.answers.items():
+            field.setCurrentIndex(max(0, field.findData(answers.get(key, ""))))
 
     # -- the form ----------------------------------------------------------------------------------------------------
     def _columns(self):
@@ -234,8 +252,6 @@ class TaskReadings(Panel):
 
     def save_mapping(self) -> None:
         """Ask for a file and write the mapping of the columns to it."""
-        import json
-
         from ..formats.files import write_text
 
         try:
@@ -260,10 +276,14 @@ class TaskReadings(Panel):
             return False
         mapping = self.mapping()
         doc = self.machine.Document
-        done = messages.change(
-            doc, translate("Sens", "Import readings"),
-            lambda: closed_loop.make_readings(self.machine, self.path, mapping),
-        )  # fmt: skip
+
+        def change():
+            if self.imported is None:
+                closed_loop.make_readings(self.machine, self.path, mapping)
+            else:
+                closed_loop.map_again(self.imported, mapping)
+
+        done = messages.change(doc, translate("Sens", "Import readings"), change)
         if done:
             self.close()
             messages.status(self.note.text())
@@ -342,9 +362,9 @@ def question_words(key: str) -> tuple[str, list[tuple[str, str]], str]:
     return text, list(zip(values, names)), tip
 
 
-def import_readings(machine, path):
-    """Open the panel for a file."""
-    panel = TaskReadings(machine, path)
+def import_readings(machine, path, imported=None):
+    """Open the panel for a file, or for a Readings object that was imported."""
+    panel = TaskReadings(machine, path, imported)
     show_panel(panel, machine.Document)
     return panel
 
@@ -367,3 +387,19 @@ class ImportReadings(Command):
         )
         if path:
             import_readings(machine, path)
+
+
+@command
+class EditReadings(Command):
+    name = "Sens_EditReadings"
+    menu_text = QT_TRANSLATE_NOOP("Sens_EditReadings", "Columns of the Readings…")
+    tip = QT_TRANSLATE_NOOP("Sens_EditReadings", "Changes what the columns of an imported table are taken for")
+    icon = "Sens_ImportReadings"
+    needs, guide = "readings", TaskReadings.guide
+    where = Where("loop", 15, toolbar=False, tree=("Readings",))
+
+    def run(self):
+        table = current_table()
+        if not table.Table or not Path(table.Table).is_file():
+            raise Refused("readings-table-missing", table.Label)
+        import_readings(tree.owner_machine(table), table.Table, table)

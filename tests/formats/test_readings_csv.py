@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import readings_csv
+from sensworkbench.formats import column_guess, readings_csv
 from tests.simulator import make_case, write_case
 
 HEAD = "x_mm,y_mm,z_mm"
@@ -338,3 +338,14 @@ def test_a_simulated_session_is_read_whole(tmp_path):
     assert np.array_equal(readings.columns["dir_y"], raw["dir_y"])
     assert not [f for f in readings.findings if f.severity != "info"]
     assert readings_csv.load_positions(tmp_path / "positions.csv").points == len(raw)
+
+
+@pytest.mark.parametrize("constants", [{}, {"z_mm": 42.5}])
+def test_the_choice_of_columns_is_read_back_from_its_mapping(constants):
+    names = ["Pos X [mm]", "y_um", "Zeit [min]", "Column temperature [°C]", "Fx", "EX [µm]", "comment", "ey_um"]
+    chosen = column_guess.guesses(names)
+    chosen[6] = column_guess.Guess(column_guess.IGNORE)
+    chosen[4] = column_guess.Guess(column_guess.DRIVER)
+    answers = {"sign": "error"}
+    table = column_guess.mapping(names, chosen, constants, answers)
+    assert column_guess.from_mapping(names, table) == (chosen, constants, answers)

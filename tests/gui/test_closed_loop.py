@@ -152,6 +152,33 @@ def test_two_columns_for_the_same_are_refused(machine, foreign):
     assert data(panel.units[0]) == "mm"
 
 
+def test_the_columns_of_imported_readings_are_chosen_again(machine, machine_doc, foreign):
+    first = TaskReadings(machine, foreign)
+    for key, value in (
+        ("sign", "compensation"), ("frame", "tool_relative_to_workpiece"), ("positions", "programmed")
+    ):  # fmt: skip
+        choose(first.answers[key], value)
+    table = closed_loop.make_readings(machine, foreign, first.mapping())
+    machine_doc.recompute()
+    wanted, undos = first.mapping(), machine_doc.UndoCount
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(table)
+    run("Sens_EditReadings")
+    panel = _panel()
+    assert panel.imported == table and panel.mapping() == wanted and not panel.unanswered()
+    choose(panel.uses[5], "ignore")  # the temperature of the room
+    choose(panel.answers["sign"], "error")
+    pump(400)
+    click("Ok")
+    assert tree.readings_of(machine) == [table] and machine_doc.UndoCount == undos + 1
+    assert not any(c.startswith("temp_ambient") for c in table.Columns) and "temp_column (K)" in table.Columns
+    rows = simulated.table(extract.core_machine(machine))
+    np.testing.assert_allclose(closed_loop.read(table).value, rows[:, 6:].ravel() * 1e-3, atol=1e-7)
+    machine_doc.undo()
+    pump(60)
+    assert any(c.startswith("temp_ambient") for c in table.Columns)
+
+
 # -- fit and trace -----------------------------------------------------------------------------------------------------
 def test_fit_then_trace_then_undo(machine, machine_doc, measured):
     closed_loop.make_readings(machine, measured)
