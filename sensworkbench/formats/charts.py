@@ -139,10 +139,11 @@ def bar_chart(
     legend: Mapping[str, str] | None = None,
     xlabel: str = "",
     alt: str = "",
+    words: tuple[str, str, str] = ("S", "Sᵀ", "max Sᵀ"),
 ) -> Html | None:
     """Ranking: per label one bar `total` long in its colour, the `first` part of it solid, a tick at `maximum`.
 
-    legend : name -> colour.  Returns SVG, or None without matplotlib.
+    legend : name -> colour.  words : for the solid part, the bar and the tick.  SVG, or None without matplotlib.
     """
     if not available():
         return None
@@ -165,11 +166,11 @@ def bar_chart(
         ax.set_xlabel(xlabel)
         _grid(ax, "x")
         marks = [
-            Patch(facecolor=INK, alpha=0.9, label="S alone (first order)"),
-            Patch(facecolor=INK, alpha=0.35, label="with interactions (total)"),
+            Patch(facecolor=INK, alpha=0.9, label=words[0]),
+            Patch(facecolor=INK, alpha=0.35, label=words[1]),
         ]
         if maximum is not None:
-            marks.append(Line2D([], [], linestyle="none", marker="|", markersize=9, color=INK, label="largest total"))
+            marks.append(Line2D([], [], linestyle="none", marker="|", markersize=9, color=INK, label=words[2]))
         marks += [Patch(facecolor=c, label=n) for n, c in (legend or {}).items()]
         ax.legend(handles=marks, **_ABOVE)
     return drawing.svg

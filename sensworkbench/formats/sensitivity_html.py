@@ -131,6 +131,7 @@ class _Report:
             self._maximum(rows),
             xlabel=words("report-components-axis"),
             alt=words("report-components-alt"),
+            words=self.marks(),
         )
         heads = [words("column-component"), "#S", "#Sᵀ", f"#{words('column-share')}"]
         heads += [f"#{words('column-largest')}", f"#{words('column-weighted')}"]
@@ -145,6 +146,10 @@ class _Report:
         table = html.table([*heads, ""], cells)
         explained = html.paragraph(words("report-components-words"), soft=True)
         return html.section(words("report-components"), explained, *_figure(chart), table)
+
+    def marks(self) -> tuple[str, str, str]:
+        """What the parts of a bar are."""
+        return self.words("chart-first"), self.words("chart-total"), self.words("chart-largest")
 
     def _maximum(self, rows) -> list[float] | None:
         return None if self.data["aggregate"] == "at" else [r["total_max"] for r in rows]
@@ -168,6 +173,7 @@ class _Report:
             legend={self.body(b): html.body_colour(b) for b in owners},
             xlabel=words("report-ranking-axis"),
             alt=words("report-ranking-alt"),
+            words=self.marks(),
         )
         heads = ["#", words("column-error"), words("column-meaning"), f"#{words('column-tolerance')}", "#S", "#Sᵀ"]
         heads += [f"#{words('column-share')}", f"#{words('column-largest')}", words("column-owner"), ""]
