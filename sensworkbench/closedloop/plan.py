@@ -21,6 +21,7 @@ from ..core.errors import COMPONENTS
 from ..core.machine import Machine
 from ..core.shapes import Periodic, Regressor, Shape
 from ..core.synthesis import omega
+from ..core.units import um
 from ..messages import Message, Refused
 from . import catalogue
 from .bank import bank, useful_columns
@@ -162,7 +163,7 @@ class Plan:
         variance = ((inside / self.basis.s) ** 2).sum(axis=1)
         if lost.any():
             return None, float(lost.mean())
-        return 1e3 * float(np.sqrt(3 * variance.mean())), 0.0
+        return um(float(np.sqrt(3 * variance.mean()))), 0.0
 
     @cached_property
     def repeats(self) -> tuple[int, int]:
@@ -227,7 +228,7 @@ class Plan:
         amplitude = coefficient = None
         if visible >= self.settings.visible:
             one = scanner.first[k]
-            amplitude = 1e3 * self.noise * float(np.sqrt(self.threshold / (self.readings.points * visible)))
+            amplitude = um(self.noise) * float(np.sqrt(self.threshold / (self.readings.points * visible)))
             motion = float(np.sqrt(self.threshold / scanner.shown[one, place]))  # rms over the points
             size = float(np.sqrt((regressor.vectors(self.readings.columns)[:, 0] ** 2).mean()))
             coefficient = COMPONENTS[symbol].to_shown(motion / size)

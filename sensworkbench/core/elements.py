@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..messages import Refused
+from .units import um
 
 FIT_MM = 2e-3  # a path is written to a thousandth; a nominal element fits it to within this
 POINT, LINE, CIRCLE, PLANE, CYLINDER = "point", "line", "circle", "plane", "cylinder"
@@ -136,7 +137,7 @@ def recognise(points, normals=None) -> Element:
         found = cylinder(points, normals)
         if found.off <= FIT_MM:
             return found
-    raise Refused("feature-no-element", off=flat.off * 1e3, limit=FIT_MM * 1e3)
+    raise Refused("feature-no-element", off=um(flat.off), limit=um(FIT_MM))
 
 
 MAKERS = {POINT: point, LINE: line, CIRCLE: circle, PLANE: plane, CYLINDER: cylinder}
@@ -154,5 +155,5 @@ def made(kind: str, points, normals, where: str, for_what: str) -> Element:
         raise Refused("feature-too-few-points", where, kind=for_what, count=count, fewest=FEWEST[kind])
     found = cylinder(points, normals) if kind == CYLINDER else MAKERS[kind](points)
     if not found.off <= FIT_MM:
-        raise Refused("feature-not-on-element", where, kind=for_what, element=kind, off=found.off * 1e3)
+        raise Refused("feature-not-on-element", where, kind=for_what, element=kind, off=um(found.off))
     return found

@@ -19,6 +19,7 @@ from sensworkbench.closedloop.design import tool_labels
 from sensworkbench.closedloop.plan import Plan, PlannedTerm
 from sensworkbench.closedloop.readings import Finding, Readings
 from sensworkbench.core.refusal import Refused
+from sensworkbench.core.units import mm
 from sensworkbench.messages import Message
 from sensworkbench.studies.plan import PlanResult
 
@@ -57,9 +58,9 @@ def load(path, noise_um: float, mapping=None, joints=readings_csv.THREE_AXES) ->
         findings.append(Finding("info", "direction-derived", text))
     positions = replace(positions, columns=columns, units=units, findings=tuple(findings))
     if all(n in bases for n in NORMAL):
-        return planning.as_readings(positions, noise_um * 1e-3, _normals(table, bases, positions))
+        return planning.as_readings(positions, mm(noise_um), _normals(table, bases, positions))
     named = [i for i, e in enumerate(ERROR) if e in bases]
-    return planning.as_readings(positions, noise_um * 1e-3, None, named or (0, 1, 2))
+    return planning.as_readings(positions, mm(noise_um), None, named or (0, 1, 2))
 
 
 def _normals(table, bases, positions) -> np.ndarray:

@@ -15,7 +15,6 @@ import numpy as np
 from sensworkbench import __version__
 from sensworkbench.core.driver import Driver
 from sensworkbench.core.errors import COMPONENTS, component
-from sensworkbench.core.shapes import SHAPES
 from sensworkbench.messages import Message
 from sensworkbench.messages.tables import known
 from sensworkbench.studies.trace import component_values, point_vectors
@@ -61,9 +60,8 @@ def driver_words(driver: str) -> str:
 
 def shape_words(name: str, words: Words) -> str:
     """What a shape is called."""
-    if name in SHAPES:
-        return words.of(SHAPES[name].title())
-    return words("tr-shape-random") if name == "random" else name
+    code = f"shape-{name}"
+    return words(code) if known(code) else name
 
 
 def parameter_title(key: str) -> Message | None:

@@ -18,6 +18,7 @@ from sensworkbench.closedloop.result import (
 )
 from sensworkbench.core.effects import shown
 from sensworkbench.core.errors import component
+from sensworkbench.core.units import um
 from sensworkbench.messages import Message
 from sensworkbench.messages.tables import known
 
@@ -106,7 +107,7 @@ def to_dict(result: TraceResult) -> dict:
             {
                 **said_all("separates", n.separates),
                 **said("do", n.do),
-                "predicted_difference_um": n.difference * 1e3,
+                "predicted_difference_um": um(n.difference),
             }
             for n in result.next_measurements
         ],
@@ -133,7 +134,7 @@ def _effect(e: NamedEffect) -> dict:
         "driver": str(e.effect.driver),
         "shape": e.effect.shape.name,
         "parameters": {k: v.to_dict() for k, v in shown(e.effect, component(e.effect.component), exact=False).items()},
-        "amplitude_um": e.amplitude * 1e3,
+        "amplitude_um": um(e.amplitude),
         **({} if e.amplitude_u is None else {"amplitude_u_um": e.amplitude_u * 1e3}),
         "p_familywise": e.p,
         "selection_frequency": e.selection,
@@ -154,14 +155,13 @@ def _effect(e: NamedEffect) -> dict:
 def _hidden(h: HiddenMotion) -> dict:
     """A motion that nobody logged stands among the effects; its shape is "random"."""
     motion, c = h.motion, component(h.motion.symbol)
-    scale = 1e6 if c.angular else 1e3
     return {
         **said("name", h.title),
         "component": motion.symbol,
         "driver": f"unlogged*{motion.place}" if motion.place else "unlogged",
         "shape": "random",
-        "parameters": {"rms": {"value": motion.rms * scale, "unit": f"{c.unit}/mm" if motion.place else c.unit}},
-        "amplitude_um": h.amplitude * 1e3,
+        "parameters": {"rms": {"value": c.to_shown(motion.rms), "unit": f"{c.unit}/mm" if motion.place else c.unit}},
+        "amplitude_um": um(h.amplitude),
         "p_familywise": motion.p,
         "selection_frequency": motion.selection,
         "rivals": [],
@@ -182,11 +182,14 @@ def _stage(e: StageError) -> dict:
     return out
 
 
+def _um(length: float | None) -> float | None:
+    return None if length is None else um(length)
+
+
 def _noise(n: NoiseSummary) -> dict:
-    um = lambda v: None if v is None else v * 1e3  # noqa: E731
     return {
-        "stated_um": um(n.stated),
-        "pure_error_um": um(n.pure),
+        "stated_um": _um(n.stated),
+        "pure_error_um": _um(n.pure),
         "residual_um": um(n.residual),
         "per_direction_um": {k: um(v) for k, v in n.direction.items()},
         "memory": dict(n.memory),

@@ -13,6 +13,7 @@ from ..closedloop.plan_uncertainty import PlannedError, planned_errors
 from ..closedloop.readings import Readings
 from ..core.machine import Machine
 from ..core.refusal import Refused
+from ..core.units import mm
 from .places import within_travel
 
 FEWEST, MOST = 30, 100_000  # readings of a suggested plan
@@ -61,7 +62,7 @@ def plan_study(machine: Machine, readings: Readings | None, request: PlanRequest
     if request.suggest is not None:
         if not FEWEST <= request.suggest <= MOST:
             raise Refused("plan-size", "--suggest", count=request.suggest, least=FEWEST, most=MOST)
-        noise = request.noise_um * 1e-3
+        noise = mm(request.noise_um)
         suggested = Plan(machine, plan_advice.suggest(machine, request.suggest, noise, readings, request.seed))
     advice = plan_advice.advise(plan or suggested, request.seed)
     return PlanResult(machine, request.noise_um, plan, advice, suggested)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from sensworkbench.closedloop.readings import Finding
 from sensworkbench.core.errors import SQUARENESS, TRANSLATION
 from sensworkbench.core.machine import Machine
+from sensworkbench.core.units import um
 from sensworkbench.messages import Message, Refused
 from sensworkbench.studies.axis_tables import AxisTable, axis_tables
 from sensworkbench.studies.coverage import Coverage, Item, expressible
@@ -111,7 +112,7 @@ class AxisTables(Format):
         files = self.files(tables, **options)
         notes = [Message(self.sign)] if self.sign else []
         for (source, output), t in tables.items():
-            step, size = float(t.position[1] - t.position[0]), t.interpolation * 1e3
+            step, size = float(t.position[1] - t.position[0]), um(t.interpolation)
             count = len(t.position)
             notes.append(
                 Message("note-axis-table", source=source, output=output, count=count, step=step, interpolation=size)
