@@ -211,7 +211,7 @@ class TaskJog(Panel):
         if not self._sized:  # measuring every cell takes longer than moving the machine
             self._sized = True
             self.table.resizeColumnsToContents()
-            self.table.setColumnWidth(0, min(104, self.table.columnWidth(0)))
+            self.table.setColumnWidth(0, min(110, self.table.columnWidth(0)))
             for column in range(1, 6):
                 self.table.setColumnWidth(column, max(47, self.table.columnWidth(column)))
         self._point()

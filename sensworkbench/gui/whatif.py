@@ -173,7 +173,7 @@ class WhatIf(QtGui.QWidget):
         self.axis.setToolTip(tip)
         self.axis.currentIndexChanged.connect(self._show_shift)
         row.addWidget(self.axis)
-        self.shift = [number_box(-1e5, 1e5, 1, 10, " mm") for _ in range(3)]
+        self.shift = [number_box(-1e5, 1e5, 1, 10) for _ in range(3)]
         for letter, box in zip("xyz", self.shift):
             box.setPrefix(f"{letter} ")
             box.setToolTip(tip)
@@ -181,6 +181,7 @@ class WhatIf(QtGui.QWidget):
             box.setKeyboardTracking(False)
             box.valueChanged.connect(self._shifted)
             row.addWidget(box, 1)
+        row.addWidget(QtGui.QLabel("mm"))
         return row
 
     def _show_shift(self, *_) -> None:
@@ -378,6 +379,8 @@ class WhatIf(QtGui.QWidget):
                 item.setTextAlignment(column, Qt.AlignRight | Qt.AlignVCenter)
         for column in range(MEANING + 1):
             self.table.resizeColumnToContents(column)
+        sorted_by = self.table.sortColumn()  # room for the arrow beside the title
+        self.table.setColumnWidth(sorted_by, self.table.columnWidth(sorted_by) + 16)
         for column, most in WIDEST.items():
             self.table.setColumnWidth(column, min(most, self.table.columnWidth(column)))
         self.then = then
