@@ -404,6 +404,11 @@
       <translation>Abweichungen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Exaggeration</source>
+      <translation>Überhöhung</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
       <translation>Erwartete Abweichung √(E[Y]² + V(Y))</translation>
@@ -479,6 +484,11 @@
       <translation>Ordner für die Kompensationstabellen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Folder for the pictures</source>
+      <translation>Ordner für die Bilder</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>Ordner für den Bericht</translation>
@@ -512,6 +522,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>From 0 to just above the largest index; otherwise the range sticks</source>
       <translation>Von 0 bis knapp über den größten Index; sonst bleibt der Bereich stehen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>From a tenth to ten times of what fits the view</source>
+      <translation>Von einem Zehntel bis zum Zehnfachen dessen, was in die Ansicht passt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -707,6 +722,11 @@
       <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Mends every row with a tick, as one undo step</source>
       <translation>Repariert jede Zeile mit Häkchen, als ein einziger Rückgängig-Schritt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Motion of {name}</source>
+      <translation>Bewegung von {name}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1092,6 +1112,11 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>Bild speichern</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Save pictures…</source>
+      <translation>Bilder speichern…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -1679,6 +1704,11 @@
       <translation>Schreibt HTML, JSON und CSV</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Writes one period of the motion as numbered PNG pictures into a folder</source>
+      <translation>Schreibt eine Periode der Bewegung als nummerierte PNG-Bilder in einen Ordner</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Writes the tables and this statement into a folder</source>
       <translation>Schreibt die Tabellen und diese Aufstellung in einen Ordner</translation>
@@ -2214,6 +2244,11 @@
       <translation>{driver}, K ab 20 °C</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>{error} moves {body} by {value} {unit}, and the tool by {answer} µm. Shown {times} times as large.</source>
+      <translation>{error} bewegt {body} um {value} {unit} und das Werkzeug um {answer} µm. {times}-fach gezeigt.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {rows} Messwerte an {points} Orten</translation>
@@ -2505,6 +2540,19 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
       <translation>Macht aus einer Baugruppe eine Maschine: ihre Schieber sind die Achsen</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Motion</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Moves the body of an error or effect in the view, exaggerated and animated</source>
+      <translation>Bewegt den Körper eines Fehlers oder Effekts in der Ansicht, überhöht und animiert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Show Motion…</source>
+      <translation>Bewegung zeigen…</translation>
     </message>
   </context>
   <context>

@@ -404,6 +404,11 @@
       <translation>오차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Exaggeration</source>
+      <translation>과장 배율</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
       <translation>기대 오차 √(E[Y]² + V(Y))</translation>
@@ -479,6 +484,11 @@
       <translation>보정 테이블 폴더</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Folder for the pictures</source>
+      <translation>그림을 저장할 폴더</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Folder for the report</source>
       <translation>보고서 폴더</translation>
@@ -512,6 +522,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>From 0 to just above the largest index; otherwise the range sticks</source>
       <translation>0부터 최대 지수 바로 위까지; 끄면 범위가 고정됩니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>From a tenth to ten times of what fits the view</source>
+      <translation>화면에 맞는 크기의 10분의 1에서 10배까지</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -707,6 +722,11 @@
       <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Mends every row with a tick, as one undo step</source>
       <translation>체크 표시된 모든 행을 한 번의 실행 취소 단계로 고칩니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Motion of {name}</source>
+      <translation>{name}의 움직임</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1092,6 +1112,11 @@
       <location filename="../../sensworkbench/gui/export.py" />
       <source>Save picture</source>
       <translation>그림 저장</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Save pictures…</source>
+      <translation>그림 저장…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -1679,6 +1704,11 @@
       <translation>HTML, JSON, CSV를 씁니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Writes one period of the motion as numbered PNG pictures into a folder</source>
+      <translation>움직임 한 주기를 번호 붙은 PNG 그림으로 폴더에 저장합니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Writes the tables and this statement into a folder</source>
       <translation>테이블과 이 설명을 폴더에 씁니다</translation>
@@ -2214,6 +2244,11 @@
       <translation>{driver}, 20 °C 기준 K</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>{error} moves {body} by {value} {unit}, and the tool by {answer} µm. Shown {times} times as large.</source>
+      <translation>{error}은(는) {body}을(를) {value} {unit}, 공구를 {answer} µm 움직입니다. {times}배로 보여 줍니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {points}개 위치의 측정값 {rows}개</translation>
@@ -2505,6 +2540,19 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Makes a machine from an assembly: its sliders are the axes</source>
       <translation>조립체로 기계를 만듭니다. 슬라이더가 축이 됩니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Motion</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Moves the body of an error or effect in the view, exaggerated and animated</source>
+      <translation>오차나 효과의 몸체를 화면에서 과장하여 움직입니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Show Motion…</source>
+      <translation>움직임 보기…</translation>
     </message>
   </context>
   <context>

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How an error moves the machine, for showing: bodies, sides and the tool's answer, worked by hand."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from sensworkbench.core.refusal import Refused
+from sensworkbench.formats import machine_json
+from sensworkbench.studies.motion import carried, motion, movable
+from tests.formats.support import ROOT, golden
+
+
+@pytest.fixture
+def mill():
+    """XYFZ: table X on saddle Y, head Z."""
+    return machine_json.load(ROOT / "resources" / "examples" / "vertical_machining_centre.json")
+
+
+def test_a_body_moves_with_all_that_it_carries(mill):
+    assert carried(mill, "Y") == ("Y", "X", "W") and carried(mill, "X") == ("X", "W")
+    assert carried(mill, "Z") == ("Z", "T") and carried(mill, "T") == ("T",)
+
+
+def test_roll_over_a_lever_arm_is_answered_by_the_cross_product(mill):
+    """EAZ: r from the reference (215, 430, 700) to the tool point (0, 0, 320); (e, 0, 0) x r = (0, -e rz, e ry)."""
+    found = motion(mill, "EAZ", [0, 0, 0])
+    value = 20e-6
+    assert found.value == pytest.approx(value) and found.turn == pytest.approx([value, 0, 0])
+    assert found.answer == pytest.approx([0, -value * (320 - 700), value * (0 - 430)])
+    assert not found.shift.any() and not found.slide.any()
+
+
+def test_a_table_moves_against_the_sign_of_its_error(mill):
+    found = motion(mill, "EZX", [0, 0, 0])
+    assert found.shift == pytest.approx([0, 0, -5e-3]) and found.answer == pytest.approx([0, 0, 5e-3])
+
+
+def test_squareness_is_shown_along_the_travel(mill):
+    """A0Z: Z moves up by 200 mm at the end, and the tool by A0Z x (0, 0, 200) along -y."""
+    found = motion(mill, "A0Z", [0, 0, 50])
+    assert found.slide == pytest.approx([0, 0, 200])
+    assert found.shift == pytest.approx([0, -200 * 20e-6, 0]) and found.answer == pytest.approx(found.shift)
+
+
+def test_fitted_functions_and_effects_have_their_own_sizes():
+    parameters = {"coefficient": {"value": 2.0, "unit": "urad/K"}, "extent": {"value": [-6, 9], "unit": "urad"}}
+    effect = {"name": "bend", "component": "EAZ", "driver": "temp_column", "shape": "linear", "parameters": parameters}
+    fitted = {"EXX": {"basis": "legendre", "domain": [-300, 300], "coefficients": [0, 7], "unit": "um"}}
+    model = machine_json.loads(json.dumps(golden(fitted=fitted, effects=[effect | {"enabled": True}])), "m")
+    sizes = movable(model)
+    assert sizes["EXX"] == pytest.approx(7e-3) and sizes["bend"] == pytest.approx(9e-6)
+    assert motion(model, "bend", np.zeros(3)).symbol == "EAZ"
+    with pytest.raises(Refused):
+        motion(model, "EXW", np.zeros(3))
