@@ -231,3 +231,21 @@ def test_whitening_and_its_transpose_and_inverse_belong_together():
     assert np.diag(inverse) == pytest.approx(memory.diagonal, rel=1e-12)
     rows, before, entry = memory.neighbours
     assert inverse[rows, before] == pytest.approx(entry, rel=1e-12, abs=1e-15)
+
+
+def test_the_order_of_readings_without_time_does_not_matter():
+    machine, readings = noisy(200, seed=5, u=NOISE)
+    order = np.random.default_rng(6).permutation(readings.points)
+    rows = (3 * order[:, None] + np.arange(3)).ravel()  # three readings at each place
+    assert (readings.point == np.repeat(np.arange(readings.points), 3)).all()
+    shuffled = replace(
+        readings,
+        q=readings.q[order],
+        value=readings.value[rows],
+        columns={k: v[order] for k, v in readings.columns.items()},
+        tool_offset=None if readings.tool_offset is None else readings.tool_offset[order],
+    )
+    one, other = (fit(design(machine, r), r) for r in (readings, shuffled))
+    assert other.residual == pytest.approx(one.residual[rows], abs=1e-12)
+    assert other.chi2 == pytest.approx(one.chi2, rel=1e-9)
+    assert (other.outliers == one.outliers[rows]).all()
