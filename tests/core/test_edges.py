@@ -15,6 +15,7 @@ from sensworkbench.core.allocation import Grade, GradeCost, PowerCost
 from sensworkbench.core.distributions import Tolerance
 from sensworkbench.core.driver import Driver
 from sensworkbench.core.effects import Effect
+from sensworkbench.core.fitted import Constant, FittedModel, Series
 from sensworkbench.core.machine import Machine, structure_chains
 from sensworkbench.core.parameters import Evenly, Logarithmic, Reciprocal
 from sensworkbench.core.refusal import Refused
@@ -192,6 +193,18 @@ def test_an_extent_that_is_not_finite_or_reversed_is_refused():
         with pytest.raises(Refused):
             Effect("e", "EXX", "x", Linear(), (1.0,), extent=extent)
     assert Effect("e", "EXX", "x", Linear(), (1.0,), extent=(1.0, 1.0)).range == (1.0, 1.0)
+
+
+def test_changed_fitted_errors_replace_the_old_ones_and_leave_the_rest():
+    old = FittedModel(
+        series={"EXX": Series((0, 1), (1.0,)), "EYX": Series((0, 1), (2.0,))},
+        constants={"C0Y": Constant(3.0), "A0Z": Constant(4.0)},
+    )
+    new = old.with_errors({"EXX": Series((0, 2), (5.0,)), "B0Z": Constant(7.0), "A0Z": None})
+    assert {k: v.coefficients for k, v in new.series.items()} == {"EXX": (5.0,), "EYX": (2.0,)}
+    assert {k: v.value for k, v in new.constants.items()} == {"C0Y": 3.0, "B0Z": 7.0}
+    assert new.values("EXX", [0.0, 1.0]).tolist() == [5.0, 5.0]
+    assert new.values("B0Z", [0.0, 1.0]).tolist() == [7.0, 7.0] and new.values("EAX", [0.0]).tolist() == [0.0]
 
 
 # -- positions ---------------------------------------------------------------------------------------------------------
@@ -393,3 +406,135 @@ def test_shapes_that_remember_are_those_with_memory():
 def test_columns_of_a_component_of_the_workpiece_and_tool_that_turns_nothing():
     m = machine("FXYZ")
     assert not omega(m, ["EXT", "EYW", "EXX"], (1, 2, 3), output="orientation").any()
+
+
+# -- more of the machine -----------------------------------------------------------------------------------------------
+def test_unit_twists():
+    assert joints.linear("X", (0, 0.6, 0.8), (1, 2, 3), (0, 1)).twist.tolist() == [0, 0.6, 0.8, 0, 0, 0]
+    assert joints.rotary("C", (0, 0, 1), (1, 2, 3)).twist.tolist() == [2, -1, 0, 0, 0, 1]  # p x u, u
+
+
+def test_points_and_travels_on_their_edges():
+    assert joints.vector((1e7, 0, 0), "") == (1e7, 0, 0)
+    turns = 2 * math.pi * joints.MOST_TURNS
+    assert joints.rotary("C", (0, 0, 1), (0, 0, 0), (0, turns)).travel == (0, turns)
+    joints.linear("X", (1, 0, 0), (0, 0, 0), (-1e7, 1e7))
+    for make in (
+        lambda: joints.vector((1.0001e7, 0, 0), ""),
+        lambda: joints.rotary("C", (0, 0, 1), (0, 0, 0), (0, turns + 6.3)),
+        lambda: joints.linear("X", (1, 0, 0), (0, 0, 0), (-1.0001e7, 0)),
+    ):
+        with pytest.raises(Refused):
+            make()
+    assert joints.MOST_TURNS == 1000
+    assert joints.rotary("C", (0, 0, 1), (0, 0, 0)).to_shown(math.pi) == pytest.approx(180)
+
+
+@pytest.mark.parametrize(
+    ("names", "frame", "letters"),
+    [
+        (("X", "X1"), None, (0, 1)),
+        (("Y", "Y1"), None, (1, 0)),
+        (("C", "X"), ("C", "X"), (1, 0)),
+        (("X", "C"), ("X", "C"), (0, 1)),
+    ],
+)
+def test_a_frame_of_joints_whose_letters_do_not_tell_takes_the_first_axis_that_is_free(names, frame, letters):
+    some = tuple(
+        (joints.rotary if n in "ABC" else joints.linear)(n, d, (0, 0, 0), (-1, 1)) for n, d in zip(names, np.eye(3))
+    )
+    m = Machine("m", (), names, some, (0, 0, 1), frame_axes=frame, version=2)
+    for axis, direction in zip(letters, np.eye(3)):
+        assert_allclose(m.frame[:, axis], direction, atol=1e-15)
+    assert np.linalg.det(m.frame) == pytest.approx(1.0)
+
+
+def test_values_and_aliases_of_components():
+    m = c_frame()
+    length, angle = m.component("EYX"), m.component("A0Z")
+    assert (length.to_shown(0.002), angle.to_shown(3e-6)) == (2.0, pytest.approx(3.0))
+    assert (length.from_shown(2.0), angle.from_shown(3.0)) == (0.002, pytest.approx(3e-6))
+    aliases = {"delta_xx": "EXX", "DELTA_ZT": "EZT", "δ_yz": "EYZ", "epsilon_xz": "EAZ", "ε_yx": "EBX", "s_xy": "C0Y"}
+    assert {k: m.component(k).symbol for k in aliases} == aliases
+    with pytest.raises(Refused) as refused:
+        m.component("EXQ")
+    assert refused.value.fields["first"] == "EXX" and "C0Y" in refused.value.fields["lines"]
+
+
+@pytest.mark.parametrize("name", ["", "  ", None, 5])
+def test_a_source_has_a_name(name):
+    with pytest.raises(Refused):
+        Source(name, Tolerance(0, 1), {"EXX": 1.0})
+
+
+def test_an_effect_holds_what_it_was_given():
+    made = Effect("e", "EXX", "temp_a", Linear(), (2.0,), (0.5,), extent=(np.float64(1), 3), reach=[0, np.float64(2)])
+    assert made.driver_unit == "K" and made.extent == (1.0, 3.0) and made.reach == (0.0, 2.0) and made.u == (0.5,)
+    assert type(made.extent[0]) is float and type(made.u[0]) is float
+    with pytest.raises(Refused):
+        Effect("e", "EXX", "temp_a", Linear(), (2.0,), (0.5, 0.5))
+    with pytest.raises(Refused):
+        Effect("e", "EXX", "temp_a", Linear(), (2.0, 1.0))
+
+
+# -- means over positions ----------------------------------------------------------------------------------------------
+def test_means_and_largest_values_are_those_of_the_single_positions():
+    m = replace(c_frame(), tolerances={"EXX": Tolerance(0, 0.02), "EAX": Tolerance(-1e-5, 4e-5, "triangular")})
+    where = workspace.grid(m, (2, 3, 2))
+    whole = workspace.sensitivity(m, where)
+    each = [workspace.sensitivity(m, workspace.at(m, q)) for q in where.q]
+    assert whole.estimated_error is None and len(each) == 12
+
+    def table(key):
+        return np.array([getattr(one, key) for one in each])
+
+    for key in ("first", "total", "component_first", "component_total", "mean_square", "variance"):
+        assert_allclose(getattr(whole, key), table(key).mean(axis=0), rtol=1e-12, atol=1e-16)
+    assert_allclose(whole.total_max, table("total").max(axis=0), rtol=1e-12)
+    assert_allclose(whole.component_total_max, table("component_total").max(axis=0), rtol=1e-12)
+    v = table("variance")[:, None]
+    for key, weighted in (("first", "first_vw"), ("total", "total_vw"), ("component_total", "component_total_vw")):
+        assert_allclose(getattr(whole, weighted), (v * table(key)).sum(axis=0) / v.sum(), rtol=1e-12, atol=1e-16)
+
+
+def test_estimated_errors():
+    m = c_frame()
+    assert workspace.sensitivity(m, workspace.quadrature(m, 1)).estimated_error is None
+    found_ = workspace.sensitivity(m, workspace.quadrature(m, (3, 1, 1)))
+    other = workspace.sensitivity(m, workspace.quadrature(m, (1, 1, 1)))
+    assert found_.estimated_error == pytest.approx(np.abs(found_.total - other.total).max(), rel=1e-12)
+    where = workspace.low_discrepancy(m, 80)
+    found_ = workspace.sensitivity(m, where)
+    copies = [
+        workspace.sensitivity(m, workspace.Positions(q, np.full(10, 0.1), (10,), "grid")).total
+        for q in where.q.reshape(8, 10, 3)
+    ]
+    assert found_.estimated_error == pytest.approx(3 * (np.std(copies, axis=0, ddof=1) / np.sqrt(8)).max(), rel=1e-9)
+
+
+def test_a_position_has_a_value_per_joint():
+    with pytest.raises(Refused):
+        workspace.at(c_frame(), (1, 2))
+    endless = Machine("t", ("C",), (), (joints.rotary("C", (0, 0, 1), (0, 0, 0)),), (100, 0, 0))
+    turn = workspace.quadrature(endless, 4)
+    assert_allclose(turn.q[:, 0], np.array([-3, -1, 1, 3]) * math.pi / 4, atol=1e-15)
+    assert_allclose(turn.weights, 0.25)
+
+
+def test_objectives_of_files():
+    made = objectives.from_json({"name": "signed", "output": "orientation", "weights": [1, 0, -1]})
+    assert made == objectives.Signed("orientation", (1.0, 0.0, -1.0)) and objectives.from_json(made.to_json()) == made
+    for wrong in ({"name": "none"}, {"more": 1}, {"weights": [1, 2]}, {"weights": [1, -1, 0]}, {"output": "x"}):
+        with pytest.raises(Refused):
+            objectives.from_json(wrong)
+
+
+def test_groups_that_are_no_partition_have_no_shares():
+    for groups in ([[0], [1]], [[0, 1], [1, 2]], [[0, 1, 2, 3]]):
+        with pytest.raises(Refused):
+            shapley.gaussian_shares(np.ones((3, 3)), np.zeros(3), np.eye(3), groups)
+    found_ = shapley.gaussian_shares(np.eye(3), np.zeros(3), np.diag([1.0, 4.0, 9.0]), [[i] for i in range(12)][:3])
+    want = np.array([1.0, 16.0, 81.0])  # V(X²) of independent normal X is 2 sigma⁴
+    assert_allclose(found_.shares[0], want / want.sum(), rtol=1e-12)
+    assert_allclose(found_.total[0], want / want.sum(), rtol=1e-12)
+    assert found_.variance[0] == pytest.approx(2 * want.sum()) and found_.mean[0] == pytest.approx(14.0)
