@@ -167,7 +167,7 @@ def known_uncertainty(machine: Machine, path: ToolPath) -> float | None:
         return None
     rows = np.flatnonzero(path.cutting)
     rows = rows[np.unique(np.linspace(0, len(rows) - 1, 500).astype(int))]
-    return float(np.sqrt(((errors.parameters(rows) * errors.u) ** 2).sum(axis=(1, 2)).mean()))
+    return float(np.sqrt(((errors.parameters(rows) @ errors.factor) ** 2).sum(axis=(1, 2)).mean()))
 
 
 def value_under(found: Feature, path: ToolPath, error) -> float:

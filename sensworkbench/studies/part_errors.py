@@ -17,7 +17,7 @@ from statistics import NormalDist
 import numpy as np
 
 from ..core.distributions import Tolerance, moments
-from ..core.fitted import FittedModel
+from ..core.fitted import DECLARED, EFFECT, FittedModel
 from ..core.machine import Machine
 from ..core.shapes import to_domain
 from ..core.synthesis import omega
@@ -43,6 +43,7 @@ class _Function:
     values: Callable
     coefficients: np.ndarray
     u: np.ndarray
+    constant: bool = False
 
 
 class FittedErrors:
@@ -71,8 +72,31 @@ class FittedErrors:
         self.symbols = tuple(dict.fromkeys(f.symbol for f in functions))
         self._column = [self.symbols.index(f.symbol) for f in functions]
         u = np.concatenate([f.u for f in functions]) if functions else np.empty(0)
-        self.known_u = bool(np.isfinite(u).any())
-        self.u = np.where(np.isfinite(u), u, 0.0)
+        self.factor = self._factor(fitted, np.where(np.isfinite(u), u, 0.0))
+        self.known_u = bool(np.isfinite(u).any()) or fitted.uncertainty is not None
+
+    def _factor(self, fitted: FittedModel, u: np.ndarray) -> np.ndarray:
+        """(N, r) of the covariance of the coefficients, factor times its transpose: that of the fit where the machine
+        states it, and independent uncertainties of the others."""
+        known = fitted.uncertainty
+        if known is None:
+            return np.diag(u)
+        matrix, at, constants = known.matrix(), {}, {}
+        for i, key in enumerate(known.parameters):
+            if key[0] == DECLARED or (key[0] == EFFECT and len(key) == 4):
+                at[key[1], key[-1]] = constants[key[1]] = i
+        rows = [
+            constants.get(f.label) if f.constant else at.get((f.label, j))
+            for f in self.functions
+            for j in range(len(f.coefficients))
+        ]
+        own = [i for i, row in enumerate(rows) if row is None]
+        out = np.zeros((len(rows), matrix.shape[1] + len(own)))
+        for i, row in enumerate(rows):
+            if row is not None:
+                out[i, : matrix.shape[1]] = matrix[row]
+        out[own, matrix.shape[1] + np.arange(len(own))] = u[own]
+        return out
 
     def _declared(self, fitted, symbol: str) -> _Function:
         """A fitted error: Legendre polynomials of its joint's position, or a constant."""
@@ -81,7 +105,7 @@ class FittedErrors:
             constant = fitted.constants[symbol]
             u = np.nan if constant.u is None else constant.u
             return _Function(
-                symbol, symbol, lambda rows: np.ones((len(rows), 1)), np.array([constant.value]), np.array([u])
+                symbol, symbol, lambda rows: np.ones((len(rows), 1)), np.array([constant.value]), np.array([u]), True
             )
         body = self.machine.component(symbol).body
         joint, column = self.machine.joint(body), self.machine.names.index(body)
@@ -113,7 +137,7 @@ class FittedErrors:
         return out
 
     def parameters(self, rows) -> np.ndarray:
-        """(k, 3, N) mm per unit of each fitted coefficient, in the order of `u` (N,)."""
+        """(k, 3, N) mm per unit of each fitted coefficient, in the order of `factor` (N, r)."""
         matrix = self._omega(rows)
         parts = [matrix[:, :, j, None] * f.values(rows)[:, None, :] for j, f in zip(self._column, self.functions)]
         return np.concatenate(parts, axis=2)

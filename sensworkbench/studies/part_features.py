@@ -166,10 +166,10 @@ def _pieces(rows):
 
 
 def _uncertainty(state: _State, result, errors: FittedErrors) -> float | None:
-    """Standard uncertainty of the value from those of the fitted coefficients, taken as independent."""
+    """Standard uncertainty of the value from the covariance of the fitted coefficients."""
     if not errors.known_u:
         return None
-    found, surface, make, count = state.found, state.found.surface, errors.parameters, len(errors.u)
+    found, surface, make, count = state.found, state.found.surface, errors.parameters, len(errors.factor)
     if result.direction is not None:
         slope = result.direction @ state.place_of(make, count)
     else:
@@ -182,7 +182,7 @@ def _uncertainty(state: _State, result, errors: FittedErrors) -> float | None:
             turns = found.datum.tilt[0] @ _own(found.datum, state.datum_rows, make, count)
             arms = np.einsum("km,kmc->c", weights, found.tilting.reshape(-1, m, 3)[result.points])
             slope = slope - arms @ turns
-    return float(np.sqrt(((slope * errors.u) ** 2).sum()))
+    return float(np.sqrt(((slope @ errors.factor) ** 2).sum()))
 
 
 def _expected(state: _State, errors: TolerancedErrors) -> FeatureFound:

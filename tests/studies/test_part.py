@@ -266,3 +266,20 @@ def test_a_study_is_cancelled():
     path = of_points(model, rows, None, {})
     with pytest.raises(Cancelled):
         part_study(model, path, progress=lambda part: False)
+
+
+def test_the_uncertainty_of_a_value_keeps_the_correlations_of_the_fit():
+    """Roundness under C0Y and a scale of x: u of a sum of two coefficients that are correlated at -0.9."""
+    from dataclasses import replace
+
+    from sensworkbench.core.fitted import Uncertainty
+
+    model = machine(EXX=([-300, 300], [0, 6]), EYY=([-300, 300], [0, -4]))
+    su, sv, rho = 0.3e-3, 0.2e-3, -0.9
+    factor = ((su,), (rho * sv, sv * np.sqrt(1 - rho**2)))
+    known = Uncertainty((("declared", "EXX", 1), ("declared", "EYY", 1)), factor)
+    model = replace(model, fitted=replace(model.fitted, uncertainty=known))
+    found = study(model, circle(50, (0, 0, 0)), "roundness").features[0]
+    # the ellipse: radii 50 (1 + a) and 50 (1 + b), so its width is 50 |a - b| with a, b the slopes over 300 mm
+    assert found.value == pytest.approx(50 * 10e-3 / 300, rel=1e-9)
+    assert found.u == pytest.approx(50 / 300 * np.sqrt(su**2 + sv**2 - 2 * rho * su * sv), rel=1e-6)
