@@ -98,6 +98,7 @@ class Runner:
         self.folder = ROOT / "build" / "mutation"
         self.log = self.folder / f"{arguments.layer}.jsonl"
         self.killers: dict[str, int] = {}
+        self.named: dict[str, set[str]] = {}
 
     def pytest_collection_finish(self, session):
         """Keep the collected tests."""
@@ -207,7 +208,7 @@ class Runner:
         tests = [t for t in lines.get(str(mutant.line), []) if t]
         again = self.arguments.again or mutant.function not in functions.get(mutant.path, {})
         if mutant.function is None:  # a constant: whoever reaches its module
-            tests = sorted({t for names in lines.values() for t in names if t})
+            tests = sorted({t for names in lines.values() for t in names if t} | self._naming(Path(mutant.path).stem))
         tests = [t for t in tests if self.seconds.get(t, 0) <= self.arguments.longest]
         if not tests:
             return {"result": "not reached"}
@@ -228,6 +229,14 @@ class Runner:
         if killer:
             self.killers[mutant.path + killer] = self.killers.get(mutant.path + killer, 0) + 1
         return {"result": "killed" if code == 1 else "timeout" if code is None else f"ended {code}", "by": killer}
+
+    def _naming(self, module: str) -> set[str]:
+        """The tests of files that name a module: they may read a table of it and run no line."""
+        if module not in self.named:
+            files = {t.split("::")[0] for t in self.seconds}
+            naming = {f for f in files if module in Path(f).read_text(encoding="utf-8")}
+            self.named[module] = {t for t in self.seconds if t.split("::")[0] in naming}
+        return self.named[module]
 
     def _in_copy(self, mutant: Mutant, functions, tests) -> int:
         source = Path(mutant.path).read_text(encoding="utf-8")
