@@ -25,11 +25,7 @@ from .search import ScoredTerm, same_place, scored
 
 
 def judge(state: State, others, best: ScoredTerm) -> Step:
-    """Family-wise p, size and held-out gain of `best` beside `others`.
-
-    Errors of blocks left out are judged as they are, and with a shift of each block taken out: far ends of a polynomial
-    of the declared model shift whole blocks, whatever the effect.  The clearer of the two counts.
-    """
+    """Family-wise p, size and held-out gain of `best` beside `others`."""
     columns = state.problem.readings.columns
     full = state.fit_with([*others, best])
     found = scored(state.rows_with(full, others), best.symbol, best.regressor, columns)
@@ -39,10 +35,7 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     tail = min(tail, _on_the_grid(state, full, others, found))
     used = max(int(np.count_nonzero(full.weight)), 1)
     grams, base, mine = state.grams(full, others, [best], within=True)
-    held = max(
-        (evidence.gain_statistics(f(base), f(base + mine[0])) for f in (grams.held_out, grams.held_out_within)),
-        key=lambda g: g[0] / max(g[1], 1e-300),
-    )
+    held = _held_out(grams, base, base + mine[0])
     p, runs = evidence.p_value(tail, null), None
     if p < state.settings.alpha:
         runs = between_runs(state, others, found)
@@ -53,22 +46,49 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     return Step(found, p, float(np.sqrt(gain / used)), held, runs=None if runs is None else runs[1:], clear=clear)
 
 
+def _held_out(grams, base, with_it) -> tuple[float, float]:
+    """(total gain on blocks left out, its standard error).
+
+    Errors of blocks left out are judged as they are, and with a shift of each block taken out: far ends of a polynomial
+    of the declared model shift whole blocks, whatever the effect.  Where most of the error is what the other blocks
+    cannot tell of a block at all, its tilt and such far ends, it is judged without that, too.  The clearest counts.
+    """
+    plain, told = grams.held_out(base), grams.held_out_told(base, base)
+    gains = [
+        evidence.gain_statistics(plain, grams.held_out(with_it)),
+        evidence.gain_statistics(grams.held_out_within(base), grams.held_out_within(with_it)),
+    ]
+    if float(plain.sum()) > 2 * float(told.sum()):
+        gains.append(evidence.gain_statistics(told, grams.held_out_told(with_it, base)))
+    return max(gains, key=lambda g: g[0] / max(g[1], 1e-300))
+
+
 def _beside_a_drift(state: State, others, full: Fit, best: ScoredTerm) -> float:
     """Family-wise p of `best` beside a drift that no fit whitens; `full` : the fit with it.  The smaller of two.
 
     Two things that drift go together by chance (Granger and Newbold 1974).  Either the effect shows from reading to
-    reading, where the drift is whitened too; or its gain is beyond chance when divided by the number of readings that
-    count as one, at the upper limit of the correlation that `full` leaves.  A drift is a function of time: beside it
-    nothing proves another one, but for a jump.
+    reading, where the drift is all but differenced; or its gain is beyond chance when divided by the number of readings
+    that count as one, at the upper limit of the correlation that `full` leaves.
     """
-    if TIME in best.driver.columns and not best.shape.sudden:
+    if beside_drift(state, best):
         return 1.0
-    by_steps = judge(replace(state, whitened=True), others, best).p
+    longest = {k: state.settings.differenced if state.modelled[k] != phi else phi for k, phi in state.memory.items()}
+    by_steps = judge(replace(state, whitened=True, memory=longest), others, best).p
     if best.shape.sudden or by_steps < state.settings.alpha:
         return by_steps
     gain, dims = best.gain / state.inflation(full, best), len(best.coefficients)
     tail = normal_tail(gain, dims) if dims > 1 else float(log_tail(np.array(gain), 1))
     return min(by_steps, len(state.problem.bank) * len(state.problem.groups) * 10.0**-tail)
+
+
+def beside_drift(state: State, c: ScoredTerm) -> bool:
+    """Is it a function of time, no jump, beside a drift?  A drift is one too, so that nothing proves another.
+
+    A lag that is longer than the record is the integral of its column over time.
+    """
+    time = state.problem.readings.columns.get(TIME)
+    endless = time is not None and c.shape.values.get("tau", 0.0) > float(np.ptp(time))
+    return state.drifts and (endless or (TIME in c.driver.columns and not c.shape.sudden))
 
 
 def _on_the_grid(state: State, full: Fit, others, best: ScoredTerm) -> float:

@@ -105,6 +105,31 @@ class BlockGrams:
             out[b] = square - 2 * beta @ right[columns] + beta @ gram[np.ix_(columns, columns)] @ beta
         return out
 
+    def held_out_told(self, columns, base) -> np.ndarray:
+        """(B,) squared errors as in `held_out`, on what the other blocks can tell of a block.
+
+        The directions of a block's readings in which `base`, fitted to the others, predicts with a variance above that
+        of the noise are fitted to the block itself first: its own offset and tilt, and far ends of a polynomial.  Take
+        the same base where two models are compared.
+        """
+        columns, base = np.asarray(columns), np.asarray(base)
+        total_gram, total_right = self.gram.sum(axis=0), self.right.sum(axis=0)
+        scale = self.scale[base]
+        out = np.empty(self.count)
+        for b in range(self.count):
+            beta = self._solve(total_gram - self.gram[b], total_right - self.right[b], columns)
+            others = (total_gram - self.gram[b])[np.ix_(base, base)] / np.outer(scale, scale)
+            values, vectors = np.linalg.eigh(others)
+            root = vectors / np.sqrt(np.maximum(values, 1e-12 * values[-1])) / scale[:, None]
+            variance, turn = np.linalg.eigh(root.T @ self.gram[b][np.ix_(base, base)] @ root)
+            far = variance > 1.0
+            across = ((root @ turn[:, far]) / np.sqrt(variance[far])).T  # rows: unit directions of the block's readings
+            x, y = across @ self.gram[b][np.ix_(base, columns)], across @ self.right[b][base]
+            gram = self.gram[b][np.ix_(columns, columns)] - x.T @ x
+            right = self.right[b][columns] - x.T @ y
+            out[b] = self.square[b] - y @ y - 2 * beta @ right + beta @ gram @ beta
+        return out
+
     def half_gain(self, base, columns, use) -> float:
         """Drop of squared error on the other blocks when `columns` join `base`, both fitted on blocks `use` only."""
         gram, right = self.gram[use].sum(axis=0), self.right[use].sum(axis=0)

@@ -105,7 +105,11 @@ class _Quick:
 
     def leverage(self, rows) -> np.ndarray:
         """(k,) of some rows (numbers)."""
-        q = self.columns[rows] @ self.root
+        return self.spread(self.columns[rows])
+
+    def spread(self, columns) -> np.ndarray:
+        """(k,) variance of what the fit predicts for weighted rows (k, n), over that of the noise."""
+        q = columns @ self.root
         return np.einsum("ri,ri->r", q, q)
 
 
@@ -238,7 +242,10 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal, s: Tra
         sigma, noise = _noise(found.residual, readings, good, np.sqrt(kept / max(kept - found.rank, 1)), stated)
         z = np.abs(found.residual / sigma)
         far = np.flatnonzero(z >= s.outlier * np.sqrt(s.least_free))  # the others are good whatever their leverage
-        z[far] /= np.sqrt(np.clip(1 - found.leverage(far) * good[far], s.least_free, 1))
+        free = np.maximum(1 - found.leverage(far), s.least_free)
+        out = ~good[far]  # predicted by the others: far above 1 where the model is extrapolated to them
+        free[out] = 1 + found.spread(matrix[far[out]] * weight[far[out], None])
+        z[far] /= np.sqrt(free)
         good = (z < s.outlier) | signal
         robust = good.astype(float)
         weight = 1 / sigma

@@ -68,6 +68,7 @@ PRIOR: tuple[Rule, ...] = (
     Rule("prior-tool", 0.6, lambda c, r: c.body == "T" and not (_growth(c, r) and c.axis == 2)),
     Rule("prior-workpiece", 0.8, lambda c, r: c.body == "W" and not _slipped(r)),
     Rule("prior-carriage", 0.5, lambda c, r: c.body not in "TW" and (_growth(c, r) or _slipped(r))),
+    Rule("prior-tilt", 0.7, lambda c, r: c.kind == ROTATION and not r.driver.axes),
     Rule("prior-across", 0.3, lambda c, r: c.kind == TRANSLATION and _along(c) != c.body),
     Rule("prior-itself", -3.0, _own),
     Rule(

@@ -105,8 +105,15 @@ class Problem:
 
     @cached_property
     def middle(self) -> dict[str, float]:
-        """Position column -> middle of the travel, mm; those of which it is 0 are left out."""
+        """Column whose zero is a convention -> its middle: of the travel, mm, or of a temperature in the readings, K.
+
+        Those of which it is 0 are left out.
+        """
         found = {n.lower(): float(np.mean(t)) for n, t in zip(self.machine.names, self.machine.travel)}
+        for name in self.names:
+            if name.startswith("temp_"):
+                values = self.readings.columns[name]
+                found[name] = 0.5 * float(values.min() + values.max())
         return {n: m for n, m in found.items() if np.isfinite(m) and abs(m) > 1e-9 and n in self.readings.columns}
 
     @cached_property
@@ -250,11 +257,12 @@ class State:
         """Does what is left remember for too long to be whitened, in any direction?"""
         return self.modelled != self.memory
 
-    def inflation(self, fitted: Fit, c: ScoredTerm) -> float:
+    def inflation(self, fitted: Fit, c: ScoredTerm, margin: float = 2.0) -> float:
         """Variance inflation of the coefficient of a slow term by drifts that the fits do not model.
 
-        The correlations are those that `fitted` leaves, at their upper limit (two standard errors); each direction of
-        sensing counts by its share of what the term does to the readings.
+        The correlations are those that `fitted` leaves, at their upper limit (`margin` standard errors; of a drift
+        without end all readings count as one); each direction of sensing counts by its share of what the term does to
+        the readings.
         """
         p, modelled = self.problem, self.modelled
         size = (fitted.white(p.columns_of([c]) @ c.coefficients)) ** 2
@@ -262,7 +270,9 @@ class State:
         for k, phi in correlation(fitted, p.readings, self.settings).items():
             if modelled.get(k) != self.memory.get(k):
                 count = max(int(np.count_nonzero((p.readings.kind == k) & (fitted.weight > 0))), 1)
-                drifting[k] = duration(min(phi + 2 * np.sqrt((1 - phi**2) / count), self.settings.endless)) - 1
+                short = margin * np.sqrt((1 - phi**2) / count)
+                longest = 1 - 2 / (count + 1)  # of which all readings together count as one
+                drifting[k] = duration(min(phi + short, longest)) - 1
         total = max(float(size.sum()), 1e-300)
         return 1 + sum(more * float(size[p.readings.kind == k].sum()) / total for k, more in drifting.items())
 

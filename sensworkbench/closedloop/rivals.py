@@ -49,12 +49,13 @@ def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
     full = state.fit_with([*others, finding])
     rows = state.rows_with(full, others)
     columns = problem.readings.columns
+    alike = state.inflation(full, finding, margin=0.0)  # beside a drift so many readings count as one
     pool: list[tuple[ScoredTerm, float]] = []
     for c in step.pool:
         if c.key == finding.key:
             continue
         gain, coefficients, visible = exact_gain(rows, c.index, c.vectors(columns))
-        loss = finding.gain - gain
+        loss = (finding.gain - gain) / alike
         c = replace(c, gain=gain, coefficients=coefficients, visible=visible)
         if loss < settings.rival_range and not _more_general(c, finding):
             pool.append((c, loss))

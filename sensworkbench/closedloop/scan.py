@@ -179,9 +179,10 @@ class Rows:
 
 
 def whole(regressor: Regressor, columns, middle: Mapping[str, float]) -> np.ndarray | None:
-    """(P, m) the columns of a product with its places counted from the middle of the travel, or None: as they are.
+    """(P, m) the columns with places and temperatures counted from their middle, or None: as they are.
 
-    How much of a product is visible beside the declared model must not depend on where the coordinates begin.
+    How much of a candidate is visible beside the declared model must not depend on where the coordinates begin, nor on
+    how far from 20 °C the shop was.
     """
     if not regressor.shape.proportional or not set(regressor.driver.columns) & set(middle):
         return None

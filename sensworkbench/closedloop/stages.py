@@ -12,6 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..core.driver import TIME
+from ..core.shapes import Linear, Regressor
 from ..core.workspace import Cancelled
 from ..messages import Message
 from . import evidence
@@ -19,6 +20,7 @@ from .acceptance import is_line, judge, review
 from .design import ALL_SYMBOLS
 from .freeform import free_regressor
 from .naming import slow_columns
+from .prior import handicap
 from .problem import State, Step
 from .remainder import remainder
 from .scan import exact_gain
@@ -85,6 +87,8 @@ def _next(state: State) -> tuple[State, Step | None]:
         if state.passes(step):
             return state, replace(step, pool=tuple(found))
         if not step.p < state.settings.alpha:
+            if state.drifts and not others:  # the strongest may be the drift: it proves nothing, and ends no search
+                continue
             return state, None
         if step.size > state.settings.floor:
             state = _drop(state, step, Message("refused-held-out", gain=step.gain[0], error=step.gain[1]))
@@ -114,6 +118,9 @@ def _drop(state: State, step: Step, why: Message) -> State:
 def _by_left_out_blocks(state: State, others, found) -> list[ScoredTerm]:
     """The candidates ordered by long blocks left out; of those within half a standard error of the best, the simplest.
 
+    Beside a drift: of those that explain all but the same as that, the best by penalised chi-square at the effective
+    number of readings.
+
     Where noise remembers, slow columns and time imitate each other and the noise; a fit to some hours that predicts the
     others does not.
     """
@@ -126,6 +133,15 @@ def _by_left_out_blocks(state: State, others, found) -> list[ScoredTerm]:
     best = int(np.argmin(totals))
     near = [i for i in range(len(some)) if evidence.no_worse(errors[i], errors[best], state.settings.as_good)]
     near.sort(key=lambda i: (some[i].handicap, totals[i]))
+    if state.drifts:  # chi-square counts readings that are alike as independent: penalised at the number that are
+        first = some[near[0]]
+        full = state.fit_with([*others, first])
+        rows, alike = state.rows_with(full, others), state.inflation(full, first, margin=0.0)
+        gain = np.array([exact_gain(rows, c.index, c.vectors(state.problem.readings.columns))[0] for c in some])
+        least = max(state.settings.nearly * gain[near[0]], gain[near[0]] - state.settings.rival * alike)
+        close = [i for i in range(len(some)) if gain[i] >= least]
+        close.sort(key=lambda i: some[i].handicap - gain[i] / alike)
+        near = [*close, *(i for i in near if i not in close)]
     return [some[i] for i in [*near, *(i for i in np.argsort(totals) if i not in near)]]
 
 
@@ -224,6 +240,28 @@ def rescue(state: State, tell: Tell) -> State:
     tried = settle(replace(state, steps=tuple(Step(c) for c in best[1])))
     tried = review(add_effects(tried, tell))
     return state if any(step.refused is not None for step in tried.steps) else tried
+
+
+def straightened(state: State, tell: Tell) -> State:
+    """Where a curve of a temperature was refused because expansion is proportional: try the proportional part.
+
+    Beside noise that remembers a curve may follow what is not the temperature's.  The state comes back as it was unless
+    the proportional part keeps its name; then the search goes on beside it.
+    """
+    tried = state
+    for step in state.steps:
+        if getattr(step.refused, "code", None) == "refused-bent":
+            c = step.candidate
+            line = Regressor(c.driver, Linear())
+            proportional = replace(c, regressor=line, handicap=handicap(c.symbol, line))
+            tried = replace(tried, steps=tuple(Step(proportional) if s is step else s for s in tried.steps))
+    if tried is state:
+        return state
+    tried = review(tried)
+    if any(step.refused is not None for step in tried.steps):
+        return state
+    more = review(add_effects(tried, tell))
+    return tried if any(step.refused is not None for step in more.steps) else more
 
 
 def consistent(state: State) -> State:

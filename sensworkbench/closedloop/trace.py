@@ -28,7 +28,7 @@ from .report import result
 from .result import EXPLAINED, NOTHING, PARTLY, UNEXPLAINED, TraceResult
 from .settings import DEFAULT, TraceSettings
 from .signs import flipped_directions, settled_signs, simpler_signs
-from .stages import add_effects, consistent, polish, rescue, without_pieces
+from .stages import add_effects, consistent, polish, rescue, straightened, without_pieces
 
 
 def trace(
@@ -66,7 +66,7 @@ def trace(
         flipped = simpler_signs(state)
     if flipped:
         state = replace(state, steps=())  # a turned sign looks like effects: it is settled before anything is named
-    state = review(state)
+    state = straightened(review(state), tell)
     state = consistent(state)
     state = consistent(rescue(state, tell))
     state = polish(state)
