@@ -21,6 +21,7 @@ from .fit import Fit
 from .freeform import normal_tail
 from .naming import beyond, stand_in, stands_out
 from .problem import State, Step
+from .scan import free_of_scale
 from .search import ScoredTerm, same_place, scored
 
 
@@ -31,7 +32,7 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     found = scored(state.rows_with(full, others), best.symbol, best.regressor, columns)
     gain, coefficients = found.gain, found.coefficients
     null = state.scanner(state.rows(full)).null_maxima(state.signs)
-    tail = float(log_tail(np.array(gain), 1)) if len(coefficients) == 1 else normal_tail(gain, len(coefficients))
+    tail = tail_of(full, gain, len(coefficients))
     tail = min(tail, _on_the_grid(state, full, others, found))
     used = max(int(np.count_nonzero(full.weight)), 1)
     grams, base, mine = state.grams(full, others, [best], within=True)
@@ -61,6 +62,12 @@ def _held_out(grams, base, with_it) -> tuple[float, float]:
     if float(plain.sum()) > 2 * float(told.sum()):
         gains.append(evidence.gain_statistics(told, grams.held_out_told(with_it, base)))
     return max(gains, key=lambda g: g[0] / max(g[1], 1e-300))
+
+
+def tail_of(full: Fit, gain: float, dims: int) -> float:
+    """-log10 of the tail of a gain in the noise that readings without it would show; `full` : the fit with it."""
+    gain = float(free_of_scale(gain, full.chi2, full.dof, dims))
+    return float(log_tail(np.array(gain), 1)) if dims == 1 else normal_tail(gain, dims)
 
 
 def _beside_a_drift(state: State, others, full: Fit, best: ScoredTerm) -> float:
@@ -103,7 +110,9 @@ def _on_the_grid(state: State, full: Fit, others, best: ScoredTerm) -> float:
     place = next((i for i, g in enumerate(state.problem.groups) if best.index in g), None)
     if not members or place is None:
         return np.inf
-    return float(state.scanner(state.rows_with(full, others)).scores().tail[members, place].max())
+    scores = state.scanner(state.rows_with(full, others)).scores()
+    at = max(members, key=lambda k: scores.tail[k, place])
+    return tail_of(full, float(scores.gain[at, place]), state.problem.bank[at].size)
 
 
 def selection(state: State, others, best: ScoredTerm, pool) -> float:

@@ -313,7 +313,11 @@ class Scanner:
         return Scores(self.shapes, gain, self.visible, np.where(self.valid, tail, 0.0))
 
     def null_maxima(self, signs, batch: int = 32) -> np.ndarray:
-        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals; computed once."""
+        """(B,) largest tail over all candidates under sign flips (B, R) of the residuals; computed once.
+
+        Gains are counted in the noise that the flipped residuals show (`free_of_scale`): what the best of many
+        candidates took from the residuals is missing in the noise that a fit with it states.
+        """
         if self._null[0] is not signs:
             self._null = signs, self._null_maxima(signs, batch)
         return self._null[1]
@@ -333,6 +337,7 @@ class Scanner:
         ca, cb, cd = (x.astype(np.float32) for x in (a * scale, 2 * b * scale, d * scale))
         out = np.empty(len(signs))
         flipped = rows.flipped(signs)
+        noise = np.maximum((flipped**2).sum(axis=1), 1e-300) / max(rows.used - rows.ortho.shape[1], 1)
         for begin in range(0, len(signs), batch):
             block = flipped[begin : begin + batch]
             h = np.empty((p, len(block), components), dtype=np.float32)
@@ -351,8 +356,18 @@ class Scanner:
                     n1, n2 = num[pairs[inside] - k], num[pairs[inside] + 1 - k]
                     x = cd[inside][:, None] * n1**2 - cb[inside][:, None] * n1 * n2 + ca[inside][:, None] * n2**2
                     best2 = np.maximum(best2, x.max(axis=(0, 2)))
-            out[begin : begin + len(block)] = np.maximum(log_tail(best1, 1), log_tail(best2, 2))
+            unit = noise[begin : begin + len(block)]
+            out[begin : begin + len(block)] = np.maximum(log_tail(best1 / unit, 1), log_tail(best2 / unit, 2))
         return out
+
+
+def free_of_scale(gain, chi2: float, dof: float, dims: int = 1):
+    """A gain (drop of chi-square) of `dims` coefficients in units of the noise that a fit without it shows, as the F
+    statistic is.
+
+    chi2, dof : of the fit with it.
+    """
+    return gain * (dof + dims) / np.maximum(chi2 + gain, 1e-300)
 
 
 def exact_gain(rows: Rows, component: int, vectors) -> tuple[float, np.ndarray, float]:

@@ -165,6 +165,11 @@ def plain():
     return tracer, tracer.rows(tracer.fit_with([])), tracer.problem.bank[::9]
 
 
+def of_unit_noise(rows, residual):
+    """The residual over the noise that it shows: gains are free of scale, as the F statistic is."""
+    return residual * np.sqrt((rows.used - rows.ortho.shape[1]) / (residual**2).sum())
+
+
 def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
     tracer, rows, shapes = plain
     rng = np.random.default_rng(5)
@@ -176,7 +181,8 @@ def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
             Rows(rows.lever, noise, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns
         )
         signs = evidence.flips(tracer.block, 99, trial)[:, tracer.row_block]
-        p.append(evidence.p_value(float(scanner.scores().tail.max()), scanner.null_maxima(signs)))
+        observed = scanner.scores(of_unit_noise(rows, noise)).tail.max()
+        p.append(evidence.p_value(float(observed), scanner.null_maxima(signs)))
     assert stats.kstest(p, "uniform").pvalue > 0.01
     assert np.mean(np.array(p) <= 0.05) <= 0.12
     assert min(p) >= 0.01  # never below one in a hundred with 99 flips
@@ -201,7 +207,7 @@ def test_the_null_maxima_are_the_maxima_of_scores_under_flipped_residuals(plain)
     tracer, rows, shapes = plain
     scanner = Scanner(rows, shapes, columns=tracer.problem.readings.columns)
     few = tracer.signs[:4]
-    one_by_one = [scanner.scores(r).tail.max() for r in rows.flipped(few)]
+    one_by_one = [scanner.scores(of_unit_noise(rows, r)).tail.max() for r in rows.flipped(few)]
     assert scanner.null_maxima(few) == pytest.approx(one_by_one, rel=1e-3)
 
 
