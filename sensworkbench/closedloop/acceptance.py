@@ -38,6 +38,8 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     grams, base, mine = state.grams(full, others, [best], within=True)
     held = _held_out(grams, base, base + mine[0])
     p, runs = evidence.p_value(tail, null), None
+    if full.dof < state.settings.crowded * full.basis.rank:
+        p = max(p, _p_without(state, others, found))
     if p < state.settings.alpha:
         runs = between_runs(state, others, found)
         p = p if runs is None else max(p, runs[0])
@@ -62,6 +64,22 @@ def _held_out(grams, base, with_it) -> tuple[float, float]:
     if float(plain.sum()) > 2 * float(told.sum()):
         gains.append(evidence.gain_statistics(told, grams.held_out_told(with_it, base)))
     return max(gains, key=lambda g: g[0] / max(g[1], 1e-300))
+
+
+def _p_without(state: State, others, best: ScoredTerm) -> float:
+    """Family-wise p where data and null have the noise, weights and outliers of the fit without `best`.
+
+    With few readings to a parameter, the best of thousands of candidates takes much of the noise along, in the
+    direction of sensing that it fits above all; weights that are estimated with it then look better than they are.
+    """
+    without = state.fit_with(others)
+    rows = state.rows(without)
+    gain = scored(rows, best.symbol, best.regressor, state.problem.readings.columns).gain
+    left = max(float(rows.residual @ rows.residual) - gain, 1e-300)
+    dims = len(best.coefficients)
+    gain = float(free_of_scale(gain, left, without.dof - dims, dims))
+    tail = float(log_tail(np.array(gain), 1)) if dims == 1 else normal_tail(gain, dims)
+    return evidence.p_value(tail, state.scanner(rows).null_maxima(state.signs))
 
 
 def tail_of(full: Fit, gain: float, dims: int) -> float:

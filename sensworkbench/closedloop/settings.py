@@ -116,6 +116,7 @@ class TraceSettings:
     negative_score: float = _setting(2.5, ERRORS, "that a negative correlation must be below zero to count")
     memory_negligible: float = _setting(0.02, "correlation", "that changes no uncertainty by more than 2 %")
     other_weight: float = _setting(0.005, SHARE, "of another name, below which it changes no uncertainty")
+    crowded: float = _setting(2.0, "per parameter", "degrees of freedom below which a candidate takes noise along")
     differenced: float = _setting(0.9999, "correlation", "at which rows are all but the steps from reading to reading")
     nearly: float = _setting(0.99, SHARE, "of the gain of a term: what explains so much explains all but the same")
     differencing: float = _setting(0.9, "correlation", "of successive residuals up to which they are always whitened")

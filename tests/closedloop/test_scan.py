@@ -18,6 +18,7 @@ from sensworkbench.closedloop.remainder import remainder
 from sensworkbench.closedloop.scan import Rows, Scanner, exact_gain
 from sensworkbench.closedloop.search import ScoredTerm, handicap
 from sensworkbench.closedloop.settings import DEFAULT, TraceSettings
+from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.shapes import Regressor
 from tests.simulator import make_case
 
@@ -186,6 +187,15 @@ def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
     assert stats.kstest(p, "uniform").pvalue > 0.01
     assert np.mean(np.array(p) <= 0.05) <= 0.12
     assert min(p) >= 0.01  # never below one in a hundred with 99 flips
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_few_readings_of_noise_hold_nothing(seed):
+    """35 places for 57 parameters: the best of thousands of candidates takes half of the noise along."""
+    simulated, machine = both("FXYZ", (10, -20, -150))
+    readings = measured(simulated, scattered(35, seed), columns=session(35, seed), noise=NOISE, seed=seed)
+    found = trace(machine, readings, seed=seed)
+    assert found.verdict == "nothing_to_explain" and not found.effects
 
 
 def test_an_effect_that_is_there_is_beyond_every_flip(plain):
