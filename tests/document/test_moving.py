@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 
+from sensworkbench.core.objectives import MeanSquare, Signed
 from sensworkbench.core.refusal import Refused
 from sensworkbench.document import extract, jog, objects, refresh, results, tree
 
@@ -243,7 +246,13 @@ def test_jogging_does_not_make_the_result_stale(doc):
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("Squareness", "carried"), ("Weights", V(1, 0, 1)), ("Order", 4), ("Signed", True)]
+    ("name", "value"),
+    [
+        ("Squareness", "carried"),
+        ("Objective", json.dumps(MeanSquare(weights=(1, 0, 1)).to_json())),
+        ("Order", 4),
+        ("Objective", json.dumps(Signed().to_json())),
+    ],
 )
 def test_every_setting_that_counts_makes_the_result_stale(doc, name, value):
     machine = golden_machine(doc)
