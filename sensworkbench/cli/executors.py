@@ -39,6 +39,9 @@ def executor(arguments):
             raise Refused("cluster-silent", "--scheduler", address=arguments.scheduler[:80]) from None
         with client:
             yield client.get_executor(pure=False), max(1, len(client.scheduler_info()["workers"]))
+    elif arguments.workers > 1 and common.in_freecad():  # which cannot start further Pythons of its own kind
+        common.say("inside FreeCAD one process does the work; run with a Python that has numpy to use --workers")
+        yield None, 1
     elif arguments.workers > 1:
         import multiprocessing
         from concurrent.futures import ProcessPoolExecutor
