@@ -116,7 +116,7 @@ def normal_tail(gain: float, dims: int) -> float:
 
 
 @dataclass(frozen=True)
-class Structure:
+class FreeFormTest:
     """What free forms of any two columns find: the best `component` index, `columns`, gain, dims and family-wise p."""
 
     component: int
@@ -186,7 +186,7 @@ class FreeScan:
         spread = 2 / (9 * dims)
         return ((gains / dims) ** (1 / 3) - (1 - spread)) / np.sqrt(spread)
 
-    def best(self, signs) -> tuple[list[Structure], np.ndarray]:
+    def best(self, signs) -> tuple[list[FreeFormTest], np.ndarray]:
         """Entries by strength, strongest first (top 40), with family-wise p from sign flips; and the null maxima."""
         rows = self.rows
         if not self.owner:
@@ -199,5 +199,5 @@ class FreeScan:
             k, c, dims = self.owner[i]
             p = float((1 + np.count_nonzero(null >= tails[i])) / (len(null) + 1))
             excess = float(gains[i] - dims)
-            found.append(Structure(c, self.sets[k], float(gains[i]), dims, p, excess, float(tails[i])))
+            found.append(FreeFormTest(c, self.sets[k], float(gains[i]), dims, p, excess, float(tails[i])))
         return found, null

@@ -16,7 +16,7 @@ from ..messages import Message
 
 
 @dataclass(frozen=True)
-class Finding:
+class Remark:
     """Something noticed while reading: severity "error" | "warning" | "info", code, message (English where it is
     only read as text), line (0: whole file)."""
 
@@ -58,7 +58,7 @@ class Readings:
     run: np.ndarray | None = None
     tool_offset: np.ndarray | None = None
     line: np.ndarray | None = None
-    findings: tuple[Finding, ...] = ()
+    remarks: tuple[Remark, ...] = ()
     records: Mapping[str, str] = field(default_factory=dict)
     alignment: str = ""
 
@@ -92,7 +92,7 @@ class Readings:
             run=part(self.run),
             tool_offset=part(self.tool_offset),
             line=part(self.line),
-            findings=self.findings,
+            remarks=self.remarks,
             alignment=self.alignment,
             records=self.records,
         )

@@ -14,16 +14,16 @@ import FreeCAD as App
 from ..core.errors import AXES
 from ..core.refusal import Refused
 from . import factory, joints
-from .assembly_reading import Reading, Slider, assemblies, read
+from .assembly_reading import AssemblyModel, Slider, assemblies, read
 from .part_names import TOOL_POINT, WORKPIECE_SIDE, axis_letter, guess
-from .paths import Place, _is_datum, leaves, place
+from .paths import PartPath, _is_datum, leaves, place
 
-__all__ = ["Reading", "Slider", "assemblies", "machine_from_assembly", "name_axes", "read", "sides"]
+__all__ = ["AssemblyModel", "Slider", "assemblies", "machine_from_assembly", "name_axes", "read", "sides"]
 
 ASSUMED_TRAVEL = 100.0  # mm to either side, where a slider states no limits
 
 
-def name_axes(reading: Reading, names: dict | None = None) -> None:
+def name_axes(reading: AssemblyModel, names: dict | None = None) -> None:
     """Give each slider its axis: as stated (joint or its name -> "X"), by the letter in its name, else by direction."""
     sliders, stated = reading.sliders, {}
     for joint, axis in (names or {}).items():
@@ -42,7 +42,7 @@ def name_axes(reading: Reading, names: dict | None = None) -> None:
         slider.axis = letter
 
 
-def sides(reading: Reading, workpiece=None, tool=None) -> tuple[list[Slider], list[Slider]]:
+def sides(reading: AssemblyModel, workpiece=None, tool=None) -> tuple[list[Slider], list[Slider]]:
     """(workpiece side, tool side): by a part that the caller names (object or link), else by the parts' names."""
     branches = [*reading.branches, *[[] for _ in range(2 - len(reading.branches))]]
 
@@ -85,14 +85,14 @@ def machine_from_assembly(
 ):
     """Make a Machine in `doc` from an assembly with a grounded part and three sliders; returns the Machine object.
 
-    assembly : Assembly, or a link to one (also in another document), or a `Reading`.
+    assembly : Assembly, or a link to one (also in another document), or a `AssemblyModel`.
     workpiece, tool : a part (object or link) on the side that carries the workpiece, or the tool; None: proposed from
     names.  tool_point : as in `make_machine`; None: a coordinate system named so, else the machine's Problem asks for
     it.  names : joint -> "X", "Y" or "Z"; None: from the joints' names or directions.  travel : axis -> (low, high) mm;
     None: the limits of the slider, else 100 mm to either side.  Positions count as the sliders' own distances do.
     Refuses by name what is no serial three-axis machine; nothing is made then.  Opens no transaction.
     """
-    reading = assembly if isinstance(assembly, Reading) else read(assembly)
+    reading = assembly if isinstance(assembly, AssemblyModel) else read(assembly)
     name_axes(reading, names)
     work_side, tool_side = sides(reading, workpiece, tool)
     described = {}
@@ -123,7 +123,7 @@ def machine_from_assembly(
     return machine
 
 
-def _travel(reading: Reading, slider: Slider, reverse: bool, on_work_side: bool, stated) -> tuple[float, float]:
+def _travel(reading: AssemblyModel, slider: Slider, reverse: bool, on_work_side: bool, stated) -> tuple[float, float]:
     if stated and slider.axis in stated:
         return tuple(float(v) for v in stated[slider.axis])
     joint = slider.joint.object
@@ -142,7 +142,7 @@ def _travel(reading: Reading, slider: Slider, reverse: bool, on_work_side: bool,
     return tuple(sorted(sense * v for v in limits))
 
 
-def _tool_point(reading: Reading, tool_side: list[Slider]) -> Place | None:
+def _tool_point(reading: AssemblyModel, tool_side: list[Slider]) -> PartPath | None:
     """A coordinate system or datum called tool point, TCP or tip on the body that carries the tool."""
     for part in reading.groups[tool_side[-1].outer if tool_side else reading.bed].parts:
         for where in _everything(part):
@@ -151,7 +151,7 @@ def _tool_point(reading: Reading, tool_side: list[Slider]) -> Place | None:
     return None
 
 
-def _everything(where: Place):
+def _everything(where: PartPath):
     yield where
     for obj in getattr(joints.linked(where.object), "Group", None) or ():
         if obj is not None:

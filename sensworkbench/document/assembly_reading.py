@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from ..core.refusal import Refused
 from . import joints
 from .base import kind_of
-from .paths import Place, _is_datum, _is_folder, leaves, place
+from .paths import PartPath, _is_datum, _is_folder, leaves, place
 from .tree import lookup
 
 RIDING = ("Revolute", "Cylindrical", "Ball")  # hold a part on its carrier, whatever it turns by
@@ -23,7 +23,7 @@ PARALLEL = 1e-6
 class Group:
     """Parts that fixed joints make one body."""
 
-    parts: list[Place] = field(default_factory=list)
+    parts: list[PartPath] = field(default_factory=list)
     grounded: bool = False
 
     @property
@@ -36,7 +36,7 @@ class Group:
 class Slider:
     """One axis of the machine: its joint, and the bodies inside and outside of it, seen from the bed."""
 
-    joint: Place
+    joint: PartPath
     inner: int
     outer: int
     side: int  # of the joint that moves outwards
@@ -44,14 +44,14 @@ class Slider:
 
 
 @dataclass
-class Reading:
+class AssemblyModel:
     """Model of an assembly: bodies, sliders in chain order per branch from the bed, parts held by nothing, remarks."""
 
-    assembly: Place
+    assembly: PartPath
     groups: list[Group]
     bed: int
     branches: list[list[Slider]]
-    left_out: list[Place] = field(default_factory=list)
+    left_out: list[PartPath] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
     @property
@@ -66,7 +66,7 @@ def assemblies(doc) -> list:
 
 
 # -- reading ---------------------------------------------------------------------------------------------------------
-def read(assembly) -> Reading:
+def read(assembly) -> AssemblyModel:
     """Read the joints of an assembly (or of a link to one); refuses by name what is no serial three-axis machine."""
     where = place(assembly)
     real = joints.linked(where.object) if where is not None else None
@@ -80,7 +80,7 @@ def read(assembly) -> Reading:
     return _Reader(where, parts, found).reading()
 
 
-def _walk(where: Place, parts: list[Place], found: list[Place]) -> None:
+def _walk(where: PartPath, parts: list[PartPath], found: list[PartPath]) -> None:
     """Collect the parts of an assembly and its joints, those of sub-assemblies with sliders included."""
     for obj in _content(where):
         inner = where.child(obj)
@@ -93,7 +93,7 @@ def _walk(where: Place, parts: list[Place], found: list[Place]) -> None:
             parts.append(inner)
 
 
-def _content(where: Place):
+def _content(where: PartPath):
     seen = set()
     stack = list(joints.linked(where.object).Group)
     while stack:
@@ -119,7 +119,7 @@ def _has_slider(assembly) -> bool:
     return False
 
 
-def _is_part(obj, where: Place) -> bool:
+def _is_part(obj, where: PartPath) -> bool:
     if _is_datum(obj) or kind_of(obj) or obj.TypeId.startswith("Assembly::"):
         return joints.is_assembly(joints.linked(obj)) and bool(leaves(where))
     return hasattr(obj, "Placement") and bool(leaves(where))
@@ -128,23 +128,23 @@ def _is_part(obj, where: Place) -> bool:
 class _Reader:
     """Turns parts and joints into bodies and a tree of sliders."""
 
-    def __init__(self, where: Place, parts: list[Place], found: list[Place]):
+    def __init__(self, where: PartPath, parts: list[PartPath], found: list[PartPath]):
         self.where, self.parts = where, parts
         self.label = where.object.Label
         self.index = {p.key: i for i, p in enumerate(parts)}
         self.active = [j for j in found if joints.is_active(j.object)]
         self.group_of = list(range(len(parts)))
 
-    def part(self, joint: Place, side: int) -> int | None:
+    def part(self, joint: PartPath, side: int) -> int | None:
         """Number of the part that a side of a joint refers to; None where it is no part of this assembly."""
         outer = joints.assembly_place(joint)
         path = outer.path + joints.below(joints.reference(joint.object, side), joints.home_of(joint.object))
-        return self.number(Place(outer.root, path))
+        return self.number(PartPath(outer.root, path))
 
-    def number(self, where: Place) -> int | None:
+    def number(self, where: PartPath) -> int | None:
         return lookup(self.index, where.key)
 
-    def reading(self) -> Reading:
+    def reading(self) -> AssemblyModel:
         pairs = self._pairs()
         for joint, one, other in pairs:
             if joint.object.JointType == "Fixed":
@@ -159,7 +159,7 @@ class _Reader:
         edges = [(j, numbers[self.group_of[a]], numbers[self.group_of[b]]) for j, a, b in pairs]
         sliders = self._unique([e for e in edges if e[0].object.JointType == joints.SLIDER and e[1] != e[2]])
         branches = self._branches(groups, sliders, bed)
-        result = Reading(self.where, groups, bed, branches)
+        result = AssemblyModel(self.where, groups, bed, branches)
         self._riders(result, edges)
         return result
 
@@ -187,7 +187,7 @@ class _Reader:
                 continue
             outer = joints.assembly_place(ground)
             path = outer.path + joints.below(place((target, "")), joints.home_of(ground.object))
-            inside = Place(outer.root, path)
+            inside = PartPath(outer.root, path)
             number = self.number(inside)
             if number is not None:
                 self.grounded.append(number)
@@ -198,14 +198,14 @@ class _Reader:
         for number in self.grounded[1:]:
             self._merge(self.grounded[0], number)
 
-    def _ground_inside(self, where: Place, grounds) -> list[int]:
+    def _ground_inside(self, where: PartPath, grounds) -> list[int]:
         found = []
         for ground in grounds:
             outer = joints.assembly_place(ground)
             target = ground.object.ObjectToGround
             if outer.key[: len(where.key)] == where.key and target is not None:
                 path = outer.path + joints.below(place((target, "")), joints.home_of(ground.object))
-                number = self.number(Place(outer.root, path))
+                number = self.number(PartPath(outer.root, path))
                 if number is not None:
                     found.append(number)
         linked = getattr(joints.linked(where.object), "LinkedObject", None)
@@ -265,7 +265,7 @@ class _Reader:
             tree.append(Slider(joint, inner, outer, outer_side))
         return _chains(tree, groups, bed, self.label)
 
-    def _riders(self, result: Reading, edges) -> None:
+    def _riders(self, result: AssemblyModel, edges) -> None:
         """What is held on a body by a joint that only lets it turn rides on it; the rest is left out, by name."""
         moving = {result.bed, *(s.outer for s in result.sliders)}
         carrier = {g: g for g in moving}

@@ -140,7 +140,7 @@ def _describe(obj, readings, mapping) -> None:
     units = {name: readings.units.get(name, "") for name in readings.columns}
     put(obj, "Columns", [f"{name} ({unit})" if unit else name for name, unit in units.items()])
     put(obj, "Runs", [] if readings.run is None else sorted({str(r) for r in readings.run}))
-    put(obj, "Findings", [told.dumps(finding_message(f)) for f in readings.findings])
+    put(obj, "Findings", [told.dumps(finding_message(f)) for f in readings.remarks])
 
 
 def finding_message(finding) -> Message:

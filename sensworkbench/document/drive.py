@@ -13,7 +13,7 @@ from ..messages import Refused
 from . import joints, kinematics
 from .extract import stands_at, survey
 from .jog import checked
-from .paths import Place
+from .paths import PartPath
 from .tree import BED, bodies, joint_names, lookup
 
 CLOSE = 1e-6  # mm
@@ -54,7 +54,7 @@ def drive(machine, position: dict[str, float]) -> dict[str, float]:
 def _moves(machine, found, new) -> list[tuple]:
     """(object, motion in the coordinates that its Placement is written in) of all that has to move."""
     riders = [(where, body) for body, parts in found.parts.items() for where in parts]
-    riders += [(Place(source.root, source.path), body) for source, body in found.loose
+    riders += [(PartPath(source.root, source.path), body) for source, body in found.loose
                if not joints.is_joint(source.object)]  # fmt: skip
     known = {where.key: body for where, body in riders}
     after = kinematics.of_machine(found.core, new)

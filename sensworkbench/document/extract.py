@@ -26,7 +26,7 @@ from ..messages import Message, Refused
 from . import geometry, joints, told
 from .base import kind_of, made_by_newer, numbers
 from .kinematics import displacements, is_shift, motion, moved_back
-from .paths import Place, place
+from .paths import PartPath, place
 from .tables import read_tolerances
 from .tree import (
     BED,
@@ -42,7 +42,7 @@ from .tree import (
 
 
 # -- who carries what ------------------------------------------------------------------------------------------------
-def source_owner(index, source: Place) -> str | None:
+def source_owner(index, source: PartPath) -> str | None:
     """The body that carries a source, directly or through what it is attached to; None: it stands by itself."""
     body = lookup(index, source.key)
     if body is not None:
@@ -112,9 +112,9 @@ class Survey:
     direction_from: dict[str, Message]
     reference_from: dict[str, Message]
     index: dict[tuple, str]  # occurrence of a part -> its body
-    loose: tuple[tuple[Place, str], ...]  # (source that belongs to no part, body that names it)
+    loose: tuple[tuple[PartPath, str], ...]  # (source that belongs to no part, body that names it)
     owners: dict[str, object]  # joint name, T, W -> axis or body object
-    parts: dict[str, list[Place]]  # F, joint names, T, W -> the occurrences of its parts
+    parts: dict[str, list[PartPath]]  # F, joint names, T, W -> the occurrences of its parts
     displacements: dict[str, App.Placement]  # F, joint names, T, W -> motion from home to where it is
 
     @cached_property
@@ -137,7 +137,7 @@ class Survey:
 class _Found:
     """A direction or point where it is now, in document coordinates: source, value, and what it was taken from."""
 
-    source: Place
+    source: PartPath
     value: App.Vector
     words: Message
 

@@ -10,12 +10,12 @@ import Part
 
 from ..messages import Message, Refused
 from . import curves
-from .paths import DATUM_TYPES, LINE_ALONG_X, LINE_ALONG_Z, PLANES, Place, leaves
+from .paths import DATUM_TYPES, LINE_ALONG_X, LINE_ALONG_Z, PLANES, PartPath, leaves
 
 LOCAL = {"X": App.Vector(1, 0, 0), "Y": App.Vector(0, 1, 0), "Z": App.Vector(0, 0, 1)}
 
 
-def direction(where: Place, along: str, name: str) -> tuple[App.Vector, Message]:
+def direction(where: PartPath, along: str, name: str) -> tuple[App.Vector, Message]:
     """(unit vector, where it comes from as a message) of the direction at a place.
 
     along : an entry of `objects.DIRECTION_CHOICES`.
@@ -27,7 +27,7 @@ def direction(where: Place, along: str, name: str) -> tuple[App.Vector, Message]
 
 
 @contextlib.contextmanager
-def _sound(where: Place):
+def _sound(where: PartPath):
     """Geometry that FreeCAD cannot evaluate is refused by name."""
     try:
         yield
@@ -35,7 +35,7 @@ def _sound(where: Place):
         raise Refused("geometry-not-evaluated", where.object.Label, object=repr(where.label), why=str(error)) from None
 
 
-def _direction(where: Place, along: str, name: str):
+def _direction(where: PartPath, along: str, name: str):
     if along.startswith("Local "):
         return _local(where, along[-1])
     if where.element:
@@ -52,18 +52,18 @@ def _direction(where: Place, along: str, name: str):
     return _local(where, name)
 
 
-def _local(where: Place, letter: str):
+def _local(where: PartPath, letter: str):
     return where.placement.Rotation.multVec(LOCAL[letter]), Message(
         "from-local", axis=letter, object=where.object.Label
     )
 
 
-def _real(where: Place):
+def _real(where: PartPath):
     obj = where.object
     return (obj.getLinkedObject(True) if hasattr(obj, "getLinkedObject") else obj) or obj
 
 
-def _of_shape(where: Place, shape):
+def _of_shape(where: PartPath, shape):
     kind = shape.ShapeType
     if kind == "Edge":
         along = curves.line(shape)
@@ -81,13 +81,13 @@ def _of_shape(where: Place, shape):
     raise Refused("geometry-no-direction", where.object.Label, object=repr(where.label))
 
 
-def point(where: Place, at: str) -> tuple[App.Vector, Message]:
+def point(where: PartPath, at: str) -> tuple[App.Vector, Message]:
     """(point, message where it comes from) at a place.  at : an entry of `objects.REFERENCE_CHOICES`."""
     with _sound(where):
         return _point(where, at)
 
 
-def _point(where: Place, at: str):
+def _point(where: PartPath, at: str):
     if at == "Placement":
         return where.placement.Base, Message("from-placement", object=where.object.Label)
     if at == "Centre of mass":
@@ -107,7 +107,7 @@ def _point(where: Place, at: str):
     return where.placement.Base, Message("from-origin", object=where.object.Label)
 
 
-def _point_of_shape(where: Place, shape):
+def _point_of_shape(where: PartPath, shape):
     if shape.ShapeType == "Vertex":
         return shape.Point, Message("from-vertex", place=where.label)
     if shape.ShapeType == "Edge" and hasattr(curves.curve(shape), "Center"):
@@ -117,7 +117,7 @@ def _point_of_shape(where: Place, shape):
     raise Refused("geometry-no-point", where.object.Label, object=repr(where.label))
 
 
-def centre_of_mass(where: list[Place]) -> App.Vector | None:
+def centre_of_mass(where: list[PartPath]) -> App.Vector | None:
     """Centre of mass of all solids at or below the places, one density; None without solids."""
     total, mass = App.Vector(), 0.0
     for leaf in (leaf for w in where for leaf in leaves(w)):
@@ -129,7 +129,7 @@ def centre_of_mass(where: list[Place]) -> App.Vector | None:
     return total * (1 / mass) if mass > 0 else None
 
 
-def _mass(leaf: Place, shape) -> tuple[App.Vector, float]:
+def _mass(leaf: PartPath, shape) -> tuple[App.Vector, float]:
     """Return (centre, volume) of the solids of `shape`, which is at `leaf`.
 
     The result is kept for the geometry without its placement, so that moving a part does not integrate it again.

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import FreeCAD as App
 
 from ..core.refusal import Refused
-from .paths import Place, leaves, places
+from .paths import PartPath, leaves, places
 
 COMPOUNDS = ("Part::Compound", "Part::Compound2")
 
@@ -20,7 +20,7 @@ COMPOUNDS = ("Part::Compound", "Part::Compound2")
 class Piece:
     """One object with its solids, document coordinates."""
 
-    where: Place
+    where: PartPath
     solids: list
 
     @property
@@ -93,7 +93,7 @@ def _show(parts, lump) -> None:
     lump.ViewObject.Visibility = False
 
 
-def whole_containers(groups: dict[str, list[Place]]) -> dict[str, list[Place]]:
+def whole_containers(groups: dict[str, list[PartPath]]) -> dict[str, list[PartPath]]:
     """The same groups of places, with a container in place of its parts where all of them are in one group.
 
     groups : body -> places of single parts.  A container that holds everything stays apart.
@@ -110,10 +110,10 @@ def whole_containers(groups: dict[str, list[Place]]) -> dict[str, list[Place]]:
     return made
 
 
-def _outer(where: Place) -> list[Place]:
+def _outer(where: PartPath) -> list[PartPath]:
     """Return the containers of a place, from the outermost one inwards."""
     names = where.path.rstrip(".").split(".") if where.path else []
-    found = [Place(where.root, ".".join(names[:n]) + "." if n else "") for n in range(len(names))]
+    found = [PartPath(where.root, ".".join(names[:n]) + "." if n else "") for n in range(len(names))]
     return [
         place for place in found if place.object.isDerivedFrom("App::Part") or place.object.isDerivedFrom("App::Link")
     ]

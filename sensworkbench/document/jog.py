@@ -16,7 +16,7 @@ from ..core.joints import KINDS
 from ..messages import Refused
 from . import kinematics
 from .extract import survey
-from .paths import Place
+from .paths import PartPath
 from .tree import BED, body_label, lookup, owner_machine
 
 CLOSE = 1e-7  # mm: a part this close to where jogging left it has not been moved by hand
@@ -97,7 +97,7 @@ def _steps(machine, found, new) -> list[_Step]:
     before, after = found.displacements, kinematics.of_machine(found.core, new)
     known = dict(found.index)
     for source, body in found.loose:
-        whole = Place(source.root, source.path)
+        whole = PartPath(source.root, source.path)
         other = known.setdefault(whole.key, body)
         if other != body:
             labels = [body_label(machine, b, found.owners) for b in (other, body)]
@@ -136,7 +136,7 @@ def _coincide(a: App.Placement, b: App.Placement, tolerance: float) -> bool:
 
 
 # -- what must not be moved ------------------------------------------------------------------------------------------
-def _check_movable(machine, where: Place) -> None:
+def _check_movable(machine, where: PartPath) -> None:
     obj, label = where.object, where.object.Label
     chain = where.chain
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import FreeCAD as App
 
 from ..messages import Refused
-from .paths import Place, _is_folder, place
+from .paths import PartPath, _is_folder, place
 
 SLIDER = "Slider"
 Z = App.Vector(0, 0, 1)
@@ -51,7 +51,7 @@ def home_of(joint):
     return outer
 
 
-def reference(joint, side: int) -> Place:
+def reference(joint, side: int) -> PartPath:
     """The geometry that side 1 or 2 of a joint refers to, as a place in the assembly's own document."""
     value = getattr(joint, f"Reference{side}")
     if not value or value[0] is None or not value[1]:
@@ -60,11 +60,11 @@ def reference(joint, side: int) -> Place:
     names = [n for n in found.path.split(".") if n]
     for i, obj in enumerate(found.chain):
         if obj.isDerivedFrom("PartDesign::Body"):  # a feature of a body counts as the body
-            return Place(found.root, ".".join(names[:i]) + "." if i else "")
+            return PartPath(found.root, ".".join(names[:i]) + "." if i else "")
     return found
 
 
-def below(where: Place, assembly) -> str:
+def below(where: PartPath, assembly) -> str:
     """The part of a place's path below `assembly`."""
     names = [n for n in where.path.split(".") if n]
     for i, obj in enumerate(where.chain):
@@ -73,32 +73,32 @@ def below(where: Place, assembly) -> str:
     raise Refused("assembly-part-elsewhere", assembly.Label, part=where.label, assembly=assembly.Label)
 
 
-def assembly_place(where: Place) -> Place:
+def assembly_place(where: PartPath) -> PartPath:
     """Return the assembly occurrence that contains the joint at `where`."""
     names = [n for n in where.path.split(".") if n][:-1]
     chain = where.chain[:-1]
     while chain and _is_folder(chain[-1]):
         chain.pop()
         names.pop()
-    return Place(where.root, "".join(f"{n}." for n in names))
+    return PartPath(where.root, "".join(f"{n}." for n in names))
 
 
-def frame(where: Place, side: int) -> App.Placement:
+def frame(where: PartPath, side: int) -> App.Placement:
     """Frame of side 1 or 2 of the joint at `where`, document coordinates.  Its z is the axis of a slider."""
     joint = where.object
     at = reference(joint, side)
     assembly = home_of(joint)
     outer = place((assembly, "")).placement
-    inner = outer.inverse() * Place(at.root, at.path).placement * getattr(joint, f"Placement{side}")
+    inner = outer.inverse() * PartPath(at.root, at.path).placement * getattr(joint, f"Placement{side}")
     return assembly_place(where).placement * inner
 
 
-def distance(where: Place) -> float:
+def distance(where: PartPath) -> float:
     """Return the signed distance of side 2 of the slider at `where` from side 1 along the slider's axis, mm."""
     return (frame(where, 1).inverse() * frame(where, 2)).Base.z
 
 
-def direction(where: Place) -> App.Vector:
+def direction(where: PartPath) -> App.Vector:
     """Unit vector of the slider at `where`, document coordinates; refuses a joint that is no slider."""
     joint = where.object
     if joint.JointType != SLIDER:
@@ -108,25 +108,25 @@ def direction(where: Place) -> App.Vector:
     return frame(where, 1).Rotation.multVec(Z)
 
 
-def carried_side(where: Place, parts: list[Place]) -> int:
+def carried_side(where: PartPath, parts: list[PartPath]) -> int:
     """Which side of the joint at `where` moves with `parts` (a carriage): 1 or 2."""
     joint, outer = where.object, assembly_place(where)
     keys = [p.key for p in parts]
     for side in (2, 1):
         path = outer.path + below(reference(joint, side), home_of(joint))
-        key = Place(outer.root, path).key
+        key = PartPath(outer.root, path).key
         if any(key[: len(k)] == k for k in keys):
             return side
     raise Refused("assembly-joint-of-another", joint.Label, joint=joint.Label)
 
 
-def joint_place(source) -> Place | None:
+def joint_place(source) -> PartPath | None:
     """The place of the joint that a DirectionSource or ReferenceSource names, or None where it names something else."""
     found = place(source) if source else None
     return found if found is not None and not found.element and is_joint(found.object) else None
 
 
-def position(machine, axis, parts: list[Place]) -> float | None:
+def position(machine, axis, parts: list[PartPath]) -> float | None:
     """Return the position of the slider that gives an axis its direction, in the axis's own sense, mm; None without
     a slider.
     """

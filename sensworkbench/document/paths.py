@@ -32,7 +32,7 @@ def _is_body(obj) -> bool:
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
+class PartPath:
     """An occurrence of an object.  root : topmost object.  path : "Inner.Link.Part." or "".  element : "Face6" or
     "".
     """
@@ -79,7 +79,7 @@ class Place:
         if not self.path:
             return _outer(self.root)
         names = self.path.rstrip(".").split(".")[:-1]
-        return Place(self.root, ".".join(names) + "." if names else "").placement
+        return PartPath(self.root, ".".join(names) + "." if names else "").placement
 
     def shape(self):
         """The element's shape (or the object's, None where it has none) in document coordinates."""
@@ -97,9 +97,9 @@ class Place:
             shape = shape.transformed(outer.toMatrix())
         return shape
 
-    def child(self, obj) -> Place:
+    def child(self, obj) -> PartPath:
         """Return the place of an object inside this one."""
-        return Place(self.root, f"{self.path}{obj.Name}.")
+        return PartPath(self.root, f"{self.path}{obj.Name}.")
 
 
 def _outer(root) -> App.Placement:
@@ -109,12 +109,12 @@ def _outer(root) -> App.Placement:
     return placement
 
 
-def place(link) -> Place | None:
-    """The `Place` of an object, (object, "path.element"), (object, ["path.element"]) or a PropertyXLinkSub value.
+def place(link) -> PartPath | None:
+    """The `PartPath` of an object, (object, "path.element"), (object, ["path.element"]) or a PropertyXLinkSub value.
 
     A path that starts inside a container is extended to the topmost one.  None for None or an empty link.
     """
-    if isinstance(link, Place):
+    if isinstance(link, PartPath):
         return link
     obj, sub = link if isinstance(link, (tuple, list)) else (link, "")
     if isinstance(sub, (tuple, list)):
@@ -128,29 +128,29 @@ def place(link) -> Place | None:
     while (outer := container_of(obj)) is not None:
         path = f"{obj.Name}.{path}"
         obj = outer
-    return Place(obj, path, element)
+    return PartPath(obj, path, element)
 
 
-def _whole(found: Place) -> Place:
+def _whole(found: PartPath) -> PartPath:
     """Return the place of the whole part: without its element, and with a PartDesign body in place of a feature
     inside it.
     """
     names = found.path.rstrip(".").split(".") if found.path else []
     for i, obj in enumerate(found.chain):
         if _is_body(obj):
-            return Place(found.root, ".".join(names[:i]) + "." if i else "")
-    return Place(found.root, found.path)
+            return PartPath(found.root, ".".join(names[:i]) + "." if i else "")
+    return PartPath(found.root, found.path)
 
 
-def places(links) -> list[Place]:
-    """Return the `Place`s of a PropertyXLinkSubList value or of a list of what `place` takes; folders give their
+def places(links) -> list[PartPath]:
+    """Return the `PartPath`s of a PropertyXLinkSubList value or of a list of what `place` takes; folders give their
     content.
     """
     found = []
     for link in links:
         obj, subs = link if isinstance(link, (tuple, list)) else (link, "")
         for sub in subs if isinstance(subs, (tuple, list)) and subs else [subs or ""]:
-            where = obj if isinstance(obj, Place) else place((obj, sub))
+            where = obj if isinstance(obj, PartPath) else place((obj, sub))
             if where is not None:
                 found.extend(_expanded(_whole(where)))
     unique = {}
@@ -159,7 +159,7 @@ def places(links) -> list[Place]:
     return list(unique.values())
 
 
-def _expanded(where: Place) -> list[Place]:
+def _expanded(where: PartPath) -> list[PartPath]:
     obj = where.object
     if not _is_folder(obj):
         return [where]
@@ -169,7 +169,7 @@ def _expanded(where: Place) -> list[Place]:
 
 def as_links(parts) -> list:
     """Value for a PropertyXLinkSubList."""
-    if parts is None or isinstance(parts, (App.DocumentObject, Place)):
+    if parts is None or isinstance(parts, (App.DocumentObject, PartPath)):
         parts = [] if parts is None else [parts]
     return [(w.root, w.path) for w in (_whole(p) for p in map(place, _flat(parts)) if p is not None)]
 
@@ -189,7 +189,7 @@ def as_sub(source):
 
 
 # -- leaves ----------------------------------------------------------------------------------------------------------
-def leaves(where: Place) -> list[Place]:
+def leaves(where: PartPath) -> list[PartPath]:
     """The things with a shape of their own at or below a place: what is coloured, and what has mass.
 
     Containers and links to containers are walked; what another feature of the container has consumed is left out.

@@ -12,7 +12,7 @@ from . import told
 from .base import alive, members, put
 from .extract import Survey, survey
 from .joints import position
-from .paths import Place
+from .paths import PartPath
 from .staleness import TOLERANCE, mark_results, mark_traces, result_inputs
 from .tree import all_parts, part_index, parts_of
 
@@ -92,7 +92,7 @@ def components(machine) -> dict[str, Component]:
         return dict(COMPONENTS)
 
 
-def parts_and_index(machine) -> tuple[dict[str, list[Place]], dict[tuple, str]]:
+def parts_and_index(machine) -> tuple[dict[str, list[PartPath]], dict[tuple, str]]:
     """(body -> its parts, occurrence of a part -> its body), also of a machine that cannot be computed."""
     try:
         found = latest(machine)

@@ -13,7 +13,7 @@ import Part
 
 from ..core.refusal import Refused
 from . import geometry
-from .paths import Place, as_sub, leaves, place
+from .paths import PartPath, as_sub, leaves, place
 
 NEAR = 1e-6  # mm between two points that are one
 
@@ -34,8 +34,8 @@ class Tip:
 def tip(link, carrier: App.Vector | None = None, tool=()) -> Tip:
     """The tip that is meant by a link.
 
-    carrier : a point of what carries the tool (its centre of mass), mm; None: the tool points down.  tool : `Place`s of
-    the parts of the tool, asked how far they reach.  Refuses what gives no point.
+    carrier : a point of what carries the tool (its centre of mass), mm; None: the tool points down.  tool : the parts
+    of the tool (`PartPath`), asked how far they reach.  Refuses what gives no point.
     """
     where = place(link)
     axis, at = _axis(where)
@@ -45,9 +45,9 @@ def tip(link, carrier: App.Vector | None = None, tool=()) -> Tip:
     if (away if abs(away) > NEAR else -axis.z) < 0:
         axis = axis * -1
     rim = _far_rim(where, axis)
-    chosen = where if rim is None else Place(where.root, where.path, rim)
+    chosen = where if rim is None else PartPath(where.root, where.path, rim)
     point = geometry.point(chosen, "Automatic")[0]
-    reach = max((_reach(leaf, axis, point) for leaf in [Place(where.root, where.path), *_leaves(tool)]), default=0.0)
+    reach = max((_reach(leaf, axis, point) for leaf in [PartPath(where.root, where.path), *_leaves(tool)]), default=0.0)
     return Tip(as_sub(chosen), point, rim is not None, max(0.0, reach))
 
 
@@ -55,7 +55,7 @@ def _leaves(parts):
     return [leaf for part in parts for leaf in leaves(part)]
 
 
-def _axis(where: Place):
+def _axis(where: PartPath):
     """(unit vector, a point) of a round edge or a cylindrical or conical face; (None, None) for anything else."""
     shape = where.shape() if where.element else None
     try:
@@ -79,7 +79,7 @@ def _circles(edges):
             yield number, App.Vector(curve.Center), curve.Radius
 
 
-def _far_rim(where: Place, axis) -> str | None:
+def _far_rim(where: PartPath, axis) -> str | None:
     """Element name of the circle that ends a round face in the direction of `axis`; None where there is none."""
     face = where.shape()
     if face.ShapeType != "Face":
@@ -88,14 +88,14 @@ def _far_rim(where: Place, axis) -> str | None:
     if not rims:
         return None
     centre, radius = max(rims, key=lambda rim: axis.dot(rim[0]))
-    whole = Place(where.root, where.path).shape()
+    whole = PartPath(where.root, where.path).shape()
     for number, other, size in _circles(whole.Edges if whole is not None else []):
         if (other - centre).Length < NEAR and abs(size - radius) < NEAR:
             return f"Edge{number}"
     return None
 
 
-def _reach(leaf: Place, axis, point) -> float:
+def _reach(leaf: PartPath, axis, point) -> float:
     """How far a part reaches past a point along `axis`, mm; negative where it ends before."""
     try:
         shape = leaf.shape()

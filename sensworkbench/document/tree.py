@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..core.errors import AXES
 from ..messages import Message, Refused
 from .base import kind_of, members
-from .paths import Place, place, places
+from .paths import PartPath, place, places
 
 BED, ENDS = "F", ("T", "W")
 GROUP, FEATURE = "App::DocumentObjectGroupPython", "App::FeaturePython"  # the types of our objects
@@ -113,7 +113,7 @@ def body_label(machine, body: str, owners=None) -> str | Message:
 
 
 # -- the parts of a machine ------------------------------------------------------------------------------------------
-def parts_of(machine, body: str) -> list[Place]:
+def parts_of(machine, body: str) -> list[PartPath]:
     """The parts of a body: "F" (bed), the name of a joint, "T" or "W"."""
     if body == BED:
         return places(machine.Bed)
@@ -121,7 +121,7 @@ def parts_of(machine, body: str) -> list[Place]:
     return places(owner.Parts) if owner else []
 
 
-def all_parts(machine, owners=None) -> dict[str, list[Place]]:
+def all_parts(machine, owners=None) -> dict[str, list[PartPath]]:
     """`parts_of` of every body: bed, joints, T, W.  owners : what `bodies` returned, where the caller has it."""
     owners = bodies(machine) if owners is None else owners
     links = {BED: machine.Bed} | {body: obj.Parts for body, obj in owners.items()}
@@ -146,7 +146,7 @@ def part_index(machine, parts=None, owners=None) -> dict[tuple, str]:
 def lookup(index, key):
     """The value of the longest prefix of `key` in `index`, or None: what an occurrence belongs to.
 
-    index : mapping from occurrence (`Place.key`) to a value.  A part belongs to whatever holds it most closely.
+    index : mapping from occurrence (`PartPath.key`) to a value.  A part belongs to whatever holds it most closely.
     """
     return next((index[key[:n]] for n in range(len(key), 0, -1) if key[:n] in index), None)
 

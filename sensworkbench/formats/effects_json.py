@@ -24,7 +24,7 @@ from sensworkbench.core.shapes import Shape, shape_class
 from sensworkbench.core.unit_text import KELVIN, ZERO, conversion, internal
 from sensworkbench.core.unit_text import readings as unit_readings
 
-from .json_text import Place, short
+from .json_text import Node, short
 
 KEYS = ("name", "component", "driver", "shape", "parameters", "enabled")
 REQUIRED = KEYS[:-1]
@@ -34,7 +34,7 @@ _UNKNOWN = re.compile(r"\(?(?P<name>[^\W\d_]+|%)\)?(\^[\d.]+)?")
 
 
 # -- reading -----------------------------------------------------------------------------------------------------------
-def read(place: Place, machine: Machine) -> tuple[Effect, ...]:
+def read(place: Node, machine: Machine) -> tuple[Effect, ...]:
     """The effects of a parsed "effects" list.  machine : what they belong to (its effects do not count)."""
     found: list[Effect] = []
     units = joint_units(machine)
@@ -63,15 +63,15 @@ def of_parameters(
     where : stands in refusals.  known : look-up of a symbol with its place among a machine's components.
     """
     parts = {"driver": driver, "shape": shape, "parameters": parameters, "enabled": bool(enabled)}
-    return _effect(Place(parts, (), {}, where), name, known(symbol, where), {})
+    return _effect(Node(parts, (), {}, where), name, known(symbol, where), {})
 
 
-def of_place(entry: Place, name: str, c: Component) -> Effect:
+def of_place(entry: Node, name: str, c: Component) -> Effect:
     """The effect of a place that holds "driver", "shape" and "parameters" as version 1 does, on a component."""
     return _effect(entry, name, c, {})
 
 
-def _effect(entry: Place, name: str, c: Component, units) -> Effect:
+def _effect(entry: Node, name: str, c: Component, units) -> Effect:
     with _placed(entry["driver"]):
         driver, order = Driver.parse_in_order(entry["driver"].string())
     with _placed(entry["shape"]):
@@ -115,7 +115,7 @@ def _effect(entry: Place, name: str, c: Component, units) -> Effect:
 
 
 @contextlib.contextmanager
-def _placed(place: Place) -> Iterator[None]:
+def _placed(place: Node) -> Iterator[None]:
     """What the core refuses gets its place in the file, unless it has one already."""
     try:
         yield
@@ -130,10 +130,10 @@ class _Numbers:
     values: tuple[float, ...]
     u: tuple[float | None, ...] | None
     unit: str
-    place: Place
+    place: Node
 
     @classmethod
-    def of(cls, place: Place) -> _Numbers:
+    def of(cls, place: Node) -> _Numbers:
         """A number, a list of numbers, or {"value", "unit", "u"} of them."""
         if not isinstance(place.value, dict):
             return cls(_numbers(place), None, "", place)
@@ -160,14 +160,14 @@ class _Numbers:
         return low, high
 
 
-def _numbers(place: Place) -> tuple[float, ...]:
+def _numbers(place: Node) -> tuple[float, ...]:
     values = tuple(place.numbers()) if isinstance(place.value, list) else (place.number(),)
     if not values or not all(map(math.isfinite, values)):
         raise Refused("parameter-not-finite", place.where, name=str(place.path[-1]) if place.path else "")
     return values
 
 
-def _uncertainty(place: Place) -> float | None:
+def _uncertainty(place: Node) -> float | None:
     if place.value is None:
         return None
     value = place.number()
@@ -181,7 +181,7 @@ def _scale(numbers: _Numbers, default: str, wanted: str) -> float:
     return conversion(numbers.unit or default, wanted, numbers.unit_where)
 
 
-def _shape(place: Place, cls, parts, driver: Driver, units) -> tuple[Shape, str | None, dict[str, float]]:
+def _shape(place: Node, cls, parts, driver: Driver, units) -> tuple[Shape, str | None, dict[str, float]]:
     """(the shape, the driver's unit or None where nothing tells it yet, standard uncertainties of its parameters)."""
     driver_unit = driver.unit(units) if driver.known(units) else None
     values, spread = {}, {}
@@ -254,7 +254,7 @@ def _per_unknown(numbers: _Numbers, base: str, c: Component, shape: Shape, drive
     return scale, unknown["name"]
 
 
-def _with_extent(effect: Effect, entry: Place, machine: Machine) -> Effect:
+def _with_extent(effect: Effect, entry: Node, machine: Machine) -> Effect:
     """Version 2: with the range of its driver, which only a joint position or a direction need not state."""
     parameters = entry["parameters"]
     if effect.reach is not None:

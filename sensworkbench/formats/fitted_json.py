@@ -16,7 +16,7 @@ from sensworkbench.core.fitted import Constant, FittedModel, Series, ToolError
 from sensworkbench.core.units import factor
 
 from . import uncertainty_json
-from .json_text import Place, parse, short
+from .json_text import Node, parse, short
 
 Known = Callable[..., Component]
 MAX_DEGREE = 30
@@ -24,7 +24,7 @@ SHIFTS = ("EXW", "EYW", "EZW")
 _OFFSET, _ERROR = "offset_mm", "error_um"
 
 
-def symbols(place: Place, known: Known = component):
+def symbols(place: Node, known: Known = component):
     """(Component, place) of every member; aliases are understood, the same error under two names is refused.
 
     known : the look-up of a symbol with its place, of a machine's components.
@@ -40,7 +40,7 @@ def symbols(place: Place, known: Known = component):
         yield c, entry
 
 
-def unit_scale(entry: Place, c: Component) -> float:
+def unit_scale(entry: Node, c: Component) -> float:
     """Factor to mm or rad of the entry's unit; um or urad where it states none."""
     if "unit" not in entry:
         return factor(c.unit, angular=c.angular)
@@ -48,7 +48,7 @@ def unit_scale(entry: Place, c: Component) -> float:
 
 
 # -- reading ---------------------------------------------------------------------------------------------------------
-def read(place: Place, known: Known = component) -> FittedModel:
+def read(place: Node, known: Known = component) -> FittedModel:
     """The model of a parsed "fitted" object.  Refuses with the place of what is wrong.  known : see `symbols`."""
     series: dict[str, Series] = {}
     constants: dict[str, Constant] = {}
@@ -88,7 +88,7 @@ def loads(text: str, name: str, known: Known = component) -> FittedModel | None:
     return None if place.value is None else read(place, known)
 
 
-def _series(entry: Place, c: Component) -> Series:
+def _series(entry: Node, c: Component) -> Series:
     entry.keys(("basis", "domain", "coefficients", "unit", "u"), ("basis", "domain", "coefficients", "unit"))
     entry["basis"].string(("legendre",))
     low, high = entry["domain"].numbers(2)
@@ -104,7 +104,7 @@ def _series(entry: Place, c: Component) -> Series:
     return Series((low, high), tuple(_scaled(v, scale, entry["coefficients"]) for v in coefficients), u)
 
 
-def _constant(place: Place, c: Component) -> Constant:
+def _constant(place: Node, c: Component) -> Constant:
     """A number in um or urad, or {"value", "unit", "u"} where u may be null."""
     if not isinstance(place.value, dict):
         return Constant(_scaled(place.number(), factor(c.unit, angular=c.angular), place))
@@ -114,13 +114,13 @@ def _constant(place: Place, c: Component) -> Constant:
     return Constant(_scaled(place["value"].number(), scale, place["value"]), u)
 
 
-def _scaled(value: float, scale: float, place: Place) -> float:
+def _scaled(value: float, scale: float, place: Node) -> float:
     if not math.isfinite(value) or abs(value * scale) > 1e9:
         raise place.refuse("error-size-implausible", value=value)
     return value * scale
 
 
-def _uncertainty(place: Place, scale: float) -> float | None:
+def _uncertainty(place: Node, scale: float) -> float | None:
     if place.value is None:
         return None
     if place.number() < 0:
@@ -128,27 +128,27 @@ def _uncertainty(place: Place, scale: float) -> float | None:
     return _scaled(place.number(), scale, place)
 
 
-def _run(place: Place, known: Known) -> dict[str, Constant]:
+def _run(place: Node, known: Known) -> dict[str, Constant]:
     """[ex, ey, ez] in um, or symbol -> value as under "alignment"."""
     if isinstance(place.value, dict):
         return {c.symbol: _constant(value, c) for c, value in symbols(place, known)}
     return {symbol: Constant(_scaled(e.number(), 1e-3, e)) for symbol, e in zip(SHIFTS, place.elements(3), strict=True)}
 
 
-def _tool(place: Place) -> ToolError:
+def _tool(place: Node) -> ToolError:
     place.keys((_OFFSET, _ERROR), (_OFFSET, _ERROR))
     error = tuple(_scaled(e.number(), 1e-3, e) for e in place[_ERROR].elements(3))
     return ToolError(tuple(place[_OFFSET].numbers(3)), error)
 
 
-def _range(place: Place) -> tuple[float, float]:
+def _range(place: Node) -> tuple[float, float]:
     low, high = place.numbers(2)
     if low > high:
         raise place.refuse("range-reversed", low=low, high=high)
     return low, high
 
 
-def _file_name(entry: Place) -> str:
+def _file_name(entry: Node) -> str:
     name = entry.string()
     if not name or any(c in name for c in "/\\:\0") or not name.endswith(".npz"):
         raise entry.refuse("covariance-file-name", name=short(name))

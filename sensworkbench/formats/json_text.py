@@ -2,7 +2,7 @@
 """Strict JSON that knows where everything stands, so that a refusal can name the line and the path of its cause.
 
 Against RFC 8259: duplicate keys, NaN, Infinity, numbers out of range, lone surrogates and trailing text are refused,
-and so is nesting deeper than `DEPTH`.  `Place` walks through the result and refuses with file, line and path.
+and so is nesting deeper than `DEPTH`.  `Node` walks through the result and refuses with file, line and path.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ def path_text(path: tuple) -> str:
     return out
 
 
-class Place:
+class Node:
     """A value of a parsed file together with where it stands.  The readers of the formats walk with it."""
 
     def __init__(self, value, path: tuple, lines: Mapping, name: str):
@@ -174,8 +174,8 @@ class Place:
     def __contains__(self, key) -> bool:
         return key in self.value
 
-    def __getitem__(self, key) -> Place:
-        return Place(self.value[key], (*self.path, key), self._lines, self.name)
+    def __getitem__(self, key) -> Node:
+        return Node(self.value[key], (*self.path, key), self._lines, self.name)
 
     def keys(self, allowed, required=()) -> list[str]:
         """The keys of an object without "x-" ones; refuses unknown keys (never "x-" ones) and missing ones."""
@@ -189,13 +189,13 @@ class Place:
                 raise self.refuse("json-key-missing", key=short(key))
         return [k for k in self.value if not k.startswith("x-")]
 
-    def members(self) -> list[tuple[str, Place]]:
+    def members(self) -> list[tuple[str, Node]]:
         """Name and place of every member of an object whose names are free."""
         if not isinstance(self.value, dict):
             raise self.refuse("json-object-expected", value=short(self.value))
         return [(k, self[k]) for k in self.value]
 
-    def elements(self, count: int | None = None) -> list[Place]:
+    def elements(self, count: int | None = None) -> list[Node]:
         """Return the places of the elements of a list; refuses another value or another length."""
         if not isinstance(self.value, list):
             raise self.refuse("json-list-expected", value=short(self.value))
@@ -234,7 +234,7 @@ class Place:
         return self.value
 
 
-def parse(text: str, name: str = "text") -> Place:
+def parse(text: str, name: str = "text") -> Node:
     """Parse strictly; the result's `value` is plain Python data.  Refuses with `name`, line and path.
 
     Python's own parser, which is fast, does the work where it finds nothing; what it stumbles over is read again by the
@@ -245,7 +245,7 @@ def parse(text: str, name: str = "text") -> Place:
     try:
         deep = _depth(text) > DEPTH
         if not deep and not _half_characters(text):
-            return Place(_FAST.decode(text), (), _Lines(text), name)
+            return Node(_FAST.decode(text), (), _Lines(text), name)
     except (_NotPlain, ValueError, RecursionError):
         pass
     if deep and len(text) > SLOW_LIMIT:
@@ -255,13 +255,13 @@ def parse(text: str, name: str = "text") -> Place:
     return _parse_slowly(text, name)
 
 
-def _parse_slowly(text: str, name: str) -> Place:
+def _parse_slowly(text: str, name: str) -> Node:
     parser = _Parser(text, name)
     value, end = parser.value(parser.space(0), ())
     end = parser.space(end)
     if end != len(text):
         parser.refuse(end, "json-trailing")
-    return Place(value, (), parser.lines, name)
+    return Node(value, (), parser.lines, name)
 
 
 SLOW_LIMIT = 2**20  # characters that the parser with places is asked for

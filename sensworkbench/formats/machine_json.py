@@ -23,7 +23,7 @@ from sensworkbench.core.units import exactly_shown, factor
 from . import effects_json, fitted_json
 from .files import read_text, write_text
 from .fitted_json import MAX_DEGREE, symbols, unit_scale
-from .json_text import Place, parse, short
+from .json_text import Node, parse, short
 
 FORMAT, VERSIONS = "sens-machine", (1, 2)
 
@@ -44,7 +44,7 @@ def loads(text: str, name: str = "machine.json") -> Machine:
     return from_place(parse(text, name))
 
 
-def from_place(top: Place) -> Machine:
+def from_place(top: Node) -> Machine:
     """The machine in a parsed file."""
     if not isinstance(top.value, dict) or top.value.get("format") != FORMAT:
         raise top.refuse("json-not-a-machine", format=FORMAT)
@@ -78,7 +78,7 @@ def from_place(top: Place) -> Machine:
 
 
 @contextlib.contextmanager
-def _refused_at(place: Place):
+def _refused_at(place: Node):
     """What the core refuses gets its place in the file, unless it names one already."""
     try:
         yield
@@ -91,11 +91,11 @@ def _refused_at(place: Place):
         raise refused.at(place.where) from None
 
 
-def _chain(place: Place, version: int) -> tuple[str, ...]:
+def _chain(place: Node, version: int) -> tuple[str, ...]:
     return tuple(e.string(AXES if version == 1 else None) for e in place.elements())
 
 
-def _axes(place: Place) -> tuple[Joint, ...]:
+def _axes(place: Node) -> tuple[Joint, ...]:
     """The joints of version 1: X, Y and Z, linear."""
     place.keys(AXES, AXES)
     found = []
@@ -114,7 +114,7 @@ def _axes(place: Place) -> tuple[Joint, ...]:
     return tuple(found)
 
 
-def _joints(place: Place) -> tuple[Joint, ...]:
+def _joints(place: Node) -> tuple[Joint, ...]:
     """The joints of version 2, in the order of the file."""
     found = []
     for entry in place.elements():
@@ -135,12 +135,12 @@ def _joints(place: Place) -> tuple[Joint, ...]:
     return tuple(found)
 
 
-def _frame(place: Place) -> tuple[str, str]:
+def _frame(place: Node) -> tuple[str, str]:
     place.keys(("primary", "secondary"), ("primary", "secondary"))
     return place["primary"].string(), place["secondary"].string()
 
 
-def tolerances(place: Place, known=component) -> dict[str, Tolerance]:
+def tolerances(place: Node, known=component) -> dict[str, Tolerance]:
     """symbol -> Tolerance of an object of {"lower", "upper", "unit", "distribution", "sigma"}.
 
     known : look-up of a symbol with its place among a machine's components.
@@ -162,7 +162,7 @@ def tolerances(place: Place, known=component) -> dict[str, Tolerance]:
     return found
 
 
-def _declared(place: Place, machine: Machine) -> dict[str, int]:
+def _declared(place: Node, machine: Machine) -> dict[str, int]:
     found = {}
     for c, entry in symbols(place, machine.component):
         entry.keys(("shape", "degree"), ("shape",))
@@ -176,14 +176,14 @@ def _declared(place: Place, machine: Machine) -> dict[str, int]:
     return found
 
 
-def _checked_sources(place: Place, machine: Machine) -> tuple[Source, ...]:
+def _checked_sources(place: Node, machine: Machine) -> tuple[Source, ...]:
     found = tuple(_source(entry, machine) for entry in place.elements())
     with _refused_at(place):
         replace(machine, sources=found)
     return found
 
 
-def _source(entry: Place, machine: Machine) -> Source:
+def _source(entry: Node, machine: Machine) -> Source:
     """A cause: its law, of a pure number, and for each error that follows it the factor with its unit."""
     entry.keys(("name", "distribution", "lower", "upper", "sigma", "factors"), ("name", "factors"))
     distribution = entry["distribution"].string(DISTRIBUTIONS) if "distribution" in entry else "uniform"

@@ -90,7 +90,7 @@ def read(machine: Machine, path, options: Options = Options(), given: Given | No
         points = path_csv.load(path, joints)
         features, labels = features_json.of_points(file, points.labels, points.features, points.positions.line)
         made, program = of_points(machine, points.positions, points.normal, labels, conditions), None
-        source["remarks"] = [f.message for f in points.positions.findings if not isinstance(f.message, str)]
+        source["remarks"] = [f.message for f in points.positions.remarks if not isinstance(f.message, str)]
     else:
         offsets = dict(_offset(text, joints) for text in options.offsets)
         tools = dict(_tool(text) for text in options.tools)

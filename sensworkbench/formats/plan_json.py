@@ -17,7 +17,7 @@ import numpy as np
 from sensworkbench.closedloop import plan as planning
 from sensworkbench.closedloop.design import tool_labels
 from sensworkbench.closedloop.plan import Plan, PlannedTerm
-from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.closedloop.readings import Readings, Remark
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.units import mm
 from sensworkbench.messages import Message
@@ -46,7 +46,7 @@ def load(path, noise_um: float, mapping=None, joints=readings_csv.THREE_AXES) ->
     for j, name in enumerate(table.names):
         if name and name not in (mapping or {}).get("ignore", ()):
             bases[column_names.parse(ours.get(name, name)).base] = j
-    columns, units, findings = dict(positions.columns), dict(positions.units), list(positions.findings)
+    columns, units, remarks = dict(positions.columns), dict(positions.units), list(positions.remarks)
     derived = []
     for axis in (j.column for j in joints):
         direction = readings_csv.approach_directions(columns[axis])
@@ -55,8 +55,8 @@ def load(path, noise_um: float, mapping=None, joints=readings_csv.THREE_AXES) ->
             derived.append(f"dir_{axis}")
     if derived:
         text = Message("remark-direction-derived", columns=derived, order=Message("order-of-file"))
-        findings.append(Finding("info", "direction-derived", text))
-    positions = replace(positions, columns=columns, units=units, findings=tuple(findings))
+        remarks.append(Remark("info", "direction-derived", text))
+    positions = replace(positions, columns=columns, units=units, remarks=tuple(remarks))
     if all(n in bases for n in NORMAL):
         return planning.as_readings(positions, mm(noise_um), _normals(table, bases, positions))
     named = [i for i, e in enumerate(ERROR) if e in bases]
@@ -143,7 +143,7 @@ def to_dict(checked: PlanResult) -> dict:
             }
             for a in checked.advice
         ],
-        "findings": [remark(f.severity, f.code, f.message, f.line) for f in plan.readings.findings],
+        "findings": [remark(f.severity, f.code, f.message, f.line) for f in plan.readings.remarks],
     }
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """measured.csv and positions.csv: a text table becomes `Readings`, and predicted errors become a table again.
 
-Nothing is dropped silently: what is converted, assumed, derived, left out or suspicious is a `Finding` with its line,
+Nothing is dropped silently: what is converted, assumed, derived, left out or suspicious is a `Remark` with its line,
 and what cannot be understood is refused with file, line and column.  The grammar is described in docs/formats.md.
 """
 
@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.closedloop.readings import Readings, Remark
 from sensworkbench.core.joints import Joint, linear
 from sensworkbench.core.refusal import Refused
 from sensworkbench.messages import Message
@@ -73,7 +73,7 @@ class _Reader:
         self.places = tuple(j.column for j in self.joints)
         self.directions = tuple(f"dir_{name}" for name in self.places)
         self.kinds = tuple((j.column, j.kind.angular) for j in self.joints)
-        self.findings: list[Finding] = []
+        self.remarks: list[Remark] = []
         self.values: dict[str, np.ndarray] = {}
         self.units: dict[str, str] = {}
         self.categories: dict[str, np.ndarray] = {}
@@ -127,7 +127,7 @@ class _Reader:
     # -- names and answers ---------------------------------------------------------------------------------------
     def _note(self, severity: str, code: str, line: int = 0, said: str = "", **fields) -> None:
         """Add a remark.  fields : of its message, whose code is "remark-" and `said`, or else `code`."""
-        self.findings.append(Finding(severity, code, Message(f"remark-{said or code}", **fields), line))
+        self.remarks.append(Remark(severity, code, Message(f"remark-{said or code}", **fields), line))
 
     def _read(self, measured: bool) -> None:
         table = self.table
@@ -421,7 +421,7 @@ class _Reader:
             run=run,
             tool_offset=tool,
             line=line,
-            findings=tuple(self.findings),
+            remarks=tuple(self.remarks),
             alignment=self._alignment(),
             records=self.records,
         )

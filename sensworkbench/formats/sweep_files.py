@@ -25,7 +25,7 @@ from sensworkbench.studies.sweep import DESIGNS, Parameter, Sweep, check_output,
 
 from . import charts, html, machine_json, provenance
 from .files import neutral, read_text
-from .json_text import Place, parse
+from .json_text import Node, parse
 from .words import Words
 
 PARTIAL, RESULTS = "results.partial.csv", "results.csv"
@@ -38,7 +38,7 @@ MOST_FRONT = 2000  # variants of the Pareto front that are kept
 
 def machine_of(data: dict) -> Machine:
     """The machine of plain data."""
-    return machine_json.from_place(Place(data, (), {}, "variant"))
+    return machine_json.from_place(Node(data, (), {}, "variant"))
 
 
 def load(path) -> Sweep:
@@ -79,7 +79,7 @@ def load(path) -> Sweep:
     return sweep
 
 
-def _minimise(top: Place, parameters, outputs) -> tuple[str, ...]:
+def _minimise(top: Node, parameters, outputs) -> tuple[str, ...]:
     """What the Pareto front is of: parameters and outputs, with "-" before the name of one to be maximised."""
     if "minimise" not in top:
         return tuple(o for o in outputs if o in SMALLER)
@@ -92,7 +92,7 @@ def _minimise(top: Place, parameters, outputs) -> tuple[str, ...]:
     return tuple(names)
 
 
-def _parameter(entry: Place, design: str, data: dict | None) -> Parameter:
+def _parameter(entry: Node, design: str, data: dict | None) -> Parameter:
     """data : of the machine's file; None where the path is that of a document, which FreeCAD alone can check."""
     entry.keys(("path", "values", "range"), ("path",))
     path = entry["path"].string() if data is None else _spelled(entry["path"].string())

@@ -26,7 +26,7 @@ from sensworkbench.core.fitted import (
 )
 
 from . import effects_json
-from .json_text import Place
+from .json_text import Node
 
 KEY = "x-uncertainty"
 GROUPS = (DECLARED, ALIGNMENT, RUN, TOOL, EFFECT)
@@ -39,7 +39,7 @@ def _short(value: float) -> float:
 
 
 # -- reading -----------------------------------------------------------------------------------------------------------
-def read(place: Place, known: Known = component) -> Uncertainty:
+def read(place: Node, known: Known = component) -> Uncertainty:
     """The uncertainty of a parsed object; refuses with the place of what is wrong."""
     place.keys(("parameters", "factor", "others"), ("parameters", "factor"))
     keys = tuple(_key(e, known) for e in place["parameters"].elements())
@@ -56,13 +56,13 @@ def read(place: Place, known: Known = component) -> Uncertainty:
     return Uncertainty(keys, tuple(factor), others)
 
 
-def _finite(value: float, place: Place) -> float:
+def _finite(value: float, place: Node) -> float:
     if not abs(value) <= 1e15:
         raise place.refuse("error-size-implausible", value=value)
     return float(value)
 
 
-def _key(place: Place, known: Known) -> tuple:
+def _key(place: Node, known: Known) -> tuple:
     parts = list(place.elements())
     group = parts[0].string(GROUPS) if parts else place.string(GROUPS)
     sizes = {DECLARED: (3,), ALIGNMENT: (2,), RUN: (3,), TOOL: (3,), EFFECT: (3, 4)}[group]
@@ -81,7 +81,7 @@ def _key(place: Place, known: Known) -> tuple:
     return group, parts[1].string(), known(parts[2].string(), parts[2].where).symbol, parts[3].integer(0, MOST)
 
 
-def _other(place: Place, scales, known: Known) -> OtherName:
+def _other(place: Node, scales, known: Known) -> OtherName:
     keys = ("component", "driver", "shape", "parameters", "weight", "changes")
     place.keys(keys, keys)
     c = known(place["component"].string(), place["component"].where)

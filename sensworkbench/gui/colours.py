@@ -37,7 +37,7 @@ def _is_link(obj) -> bool:
     return obj.isDerivedFrom("App::Link")
 
 
-def _target(leaf: paths.Place) -> Target:
+def _target(leaf: paths.PartPath) -> Target:
     """The object to colour for a leaf: the first link on the way to it (with the rest of the way), or the leaf."""
     chain = leaf.chain
     names = [n for n in leaf.path.split(".") if n]

@@ -61,11 +61,11 @@ class TaskReadings(Panel):
         self.note.setWordWrap(True)
         layout.addWidget(self.note)
         layout.addWidget(QtGui.QLabel(translate("Sens", "Noticed while reading:")))
-        self.findings = QtGui.QListWidget()
-        self.findings.setObjectName("SensFindings")
-        self.findings.setWordWrap(True)
-        self.findings.setFixedHeight(72)
-        layout.addWidget(self.findings)
+        self.remarks = QtGui.QListWidget()
+        self.remarks.setObjectName("SensFindings")
+        self.remarks.setWordWrap(True)
+        self.remarks.setFixedHeight(72)
+        layout.addWidget(self.remarks)
         self.save = QtGui.QPushButton(translate("Sens", "Save mapping…"))
         self.save.setToolTip(translate("Sens", "Writes these choices to a file for the command line's --mapping"))
         self.save.clicked.connect(self.save_mapping)
@@ -223,7 +223,7 @@ class TaskReadings(Panel):
         for axis, field in self.constants.items():
             for widget in (field, self._labels[axis]):
                 widget.setVisible(axis in missing)
-        self.findings.clear()
+        self.remarks.clear()
         self.readings = None
         self.problem = ""
         try:
@@ -233,11 +233,11 @@ class TaskReadings(Panel):
         if self.problem:
             self._say(self.problem, bad=True)
             return
-        for f in self.readings.findings:
+        for f in self.readings.remarks:
             item = QtGui.QListWidgetItem(closed_loop.finding_message(f).text(messages.language()))
             kind = QtGui.QStyle.SP_MessageBoxInformation if f.severity == "info" else QtGui.QStyle.SP_MessageBoxWarning
             item.setIcon(self.form.style().standardIcon(kind))
-            self.findings.addItem(item)
+            self.remarks.addItem(item)
         words = translate("Sens", "{rows} readings at {points} places").format(
             rows=self.readings.rows, points=self.readings.points
         )

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from ..closedloop.readings import Finding
+from ..closedloop.readings import Remark
 from ..core.driver import Driver
 from ..core.effects import Effect
 from ..core.errors import AXES, SQUARENESS, component
@@ -46,18 +46,18 @@ class ErrorTable:
 
 @dataclass(frozen=True)
 class ErrorTables:
-    """tables : the functions.  constants : squareness by symbol, rad.  findings : what reading noticed."""
+    """tables : the functions.  constants : squareness by symbol, rad.  remarks : what reading noticed."""
 
     tables: tuple[ErrorTable, ...] = ()
     constants: Mapping[str, float] = field(default_factory=dict)
-    findings: tuple[Finding, ...] = ()
+    remarks: tuple[Remark, ...] = ()
 
 
 def merged(parts) -> ErrorTables:
     """The tables of several files as one; a parameter that two of them state is refused."""
     tables: list[ErrorTable] = []
     constants: dict[str, float] = {}
-    findings: list[Finding] = []
+    remarks: list[Remark] = []
     for part in parts:
         names = [t.symbol for t in part.tables] + list(part.constants)
         twice = {t.symbol for t in tables}.union(constants).intersection(names)
@@ -65,8 +65,8 @@ def merged(parts) -> ErrorTables:
             raise Refused("tables-stated-twice", "error tables", symbols=sorted(twice))
         tables += part.tables
         constants |= part.constants
-        findings += part.findings
-    return ErrorTables(tuple(tables), constants, tuple(findings))
+        remarks += part.remarks
+    return ErrorTables(tuple(tables), constants, tuple(remarks))
 
 
 # -- from a machine --------------------------------------------------------------------------------------------------
@@ -138,9 +138,9 @@ def _interpolation(value, travel, counts, i: int) -> float:
     return max(float(np.abs(np.interp(fine[i], axes[i], t) - f).max()) for t, f in zip(table, true, strict=True))
 
 
-def remark(code: str, line: int = 0, severity: str = "info", **fields) -> Finding:
+def remark(code: str, line: int = 0, severity: str = "info", **fields) -> Remark:
     """A remark on a file that was read.  code : of its message."""
-    return Finding(severity, code, Message(code, **fields), line)
+    return Remark(severity, code, Message(code, **fields), line)
 
 
 # -- conventions -----------------------------------------------------------------------------------------------------
@@ -177,18 +177,18 @@ class Convention:
 
 def converted(tables: ErrorTables, convention: Convention) -> ErrorTables:
     """The tables in our convention, except `squareness`, which `to_machine` settles; every change is a finding."""
-    findings = list(tables.findings)
+    remarks = list(tables.remarks)
     whole = -1.0 if convention.sign == "compensation" else 1.0
     if whole < 0:
-        findings.append(remark("sign-converted"))
+        remarks.append(remark("sign-converted"))
     for name, what in (("own_motion", "frame-converted"), ("table_positions", "positions-converted")):
         axes = getattr(convention, name)
         if axes:
-            findings.append(remark(what, axes=list(axes)))
+            remarks.append(remark(what, axes=list(axes)))
     if convention.angles == "passive":
-        findings.append(remark("angles-converted"))
+        remarks.append(remark("angles-converted"))
     if convention.squareness_sign == "larger_than_90":
-        findings.append(remark("squareness-sign-converted"))
+        remarks.append(remark("squareness-sign-converted"))
 
     def sign(symbol):
         c = component(symbol)
@@ -207,7 +207,7 @@ def converted(tables: ErrorTables, convention: Convention) -> ErrorTables:
         return replace(table, points=table.points * flip, values=table.values * sign(table.symbol))
 
     constants = {s: v * sign(s) for s, v in tables.constants.items()}
-    return ErrorTables(tuple(turned(t) for t in tables.tables), constants, tuple(findings))
+    return ErrorTables(tuple(turned(t) for t in tables.tables), constants, tuple(remarks))
 
 
 # -- to a machine ----------------------------------------------------------------------------------------------------
@@ -224,8 +224,8 @@ class Approximation:
 
 def to_machine(
     machine: Machine, tables: ErrorTables, degree: int = 3, convention: Convention | None = None
-) -> tuple[Machine, tuple[Approximation, ...], tuple[Finding, ...]]:
-    """The machine with the tables as fitted errors, how well they are followed, and findings.
+) -> tuple[Machine, tuple[Approximation, ...], tuple[Remark, ...]]:
+    """The machine with the tables as fitted errors, how well they are followed, and remarks.
 
     degree : of the Legendre functions of the axis's own position.  A parameter that also depends on other axes gets
     effects linear in each of them and in its product with the own position.
@@ -234,7 +234,7 @@ def to_machine(
         raise Refused("degree-out-of-range", "--degree", degree=degree, most=MAX_DEGREE)
     tables = converted(tables, convention or Convention())
     stated = (convention or Convention()).squareness
-    findings, quality = [*tables.findings, *_implausible(tables), *_elsewhere(machine, tables)], []
+    remarks, quality = [*tables.remarks, *_implausible(tables), *_elsewhere(machine, tables)], []
     changes: dict = dict(tables.constants)
     effects = list(machine.effects)
     for table in tables.tables:
@@ -249,11 +249,11 @@ def to_machine(
             if s:
                 old = changes.get(rotation) or series(machine, rotation)
                 changes[rotation] = old.plus(factor * machine.side(machine.component(symbol).body) * s)
-        findings.append(remark("squareness-converted", stated=stated, taken=machine.squareness))
-    return with_fitted(machine, changes, effects), tuple(quality), tuple(findings)
+        remarks.append(remark("squareness-converted", stated=stated, taken=machine.squareness))
+    return with_fitted(machine, changes, effects), tuple(quality), tuple(remarks)
 
 
-def _implausible(tables: ErrorTables) -> list[Finding]:
+def _implausible(tables: ErrorTables) -> list[Remark]:
     """A warning for each parameter that no machine tool reaches: um stand where mm are meant, or arcsec for rad."""
     sizes = {t.symbol: float(np.abs(t.values).max(initial=0.0)) for t in tables.tables}
     sizes |= {s: abs(v) for s, v in tables.constants.items()}
@@ -266,7 +266,7 @@ def _implausible(tables: ErrorTables) -> list[Finding]:
     return found
 
 
-def _elsewhere(machine: Machine, tables: ErrorTables) -> list[Finding]:
+def _elsewhere(machine: Machine, tables: ErrorTables) -> list[Remark]:
     """A warning for each axis whose positions in the tables are not those of the machine: um or m in place of mm."""
     found, reach = [], {}
     for table in tables.tables:

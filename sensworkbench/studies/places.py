@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..closedloop.readings import Finding, Readings
+from ..closedloop.readings import Readings, Remark
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..messages import Message
@@ -34,4 +34,4 @@ def within_travel(machine: Machine, readings: Readings) -> Readings:
         where = f"line {line}" if line else "positions"
         raise Refused("positions-not-of-machine", where, joint=joint, times=float(ratio.max()), count=int(far.sum()))
     text = Message("remark-outside-travel", count=len(outside), line=line)
-    return replace(readings, findings=(Finding("warning", "outside-travel", text, line), *readings.findings))
+    return replace(readings, remarks=(Remark("warning", "outside-travel", text, line), *readings.remarks))

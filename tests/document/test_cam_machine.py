@@ -67,23 +67,23 @@ def test_what_cam_saved_again_is_the_machine_that_was_written(tmp_path, chains):
     known = machine_of(chains)
     convert(known, "fcm", tmp_path)
     loaded(tmp_path / "machine.fcm").save(tmp_path / "cam.fcm")
-    found, findings = import_machine(tmp_path / "cam.fcm", tool_point=known.tool_point)
+    found, remarks = import_machine(tmp_path / "cam.fcm", tool_point=known.tool_point)
     assert (found.workpiece_chain, found.tool_chain) == (known.workpiece_chain, known.tool_chain)
     for name, axis in known.axes.items():
         assert found.axes[name].direction == pytest.approx(axis.direction)
         assert (found.axes[name].reference, found.axes[name].travel) == (axis.reference, axis.travel)
-    assert findings == ()
+    assert remarks == ()
 
 
 def test_a_machine_that_cam_made_is_read(tmp_path):
     made = CAM.Machine.create_3axis_config()
     made.linear_axes["X"].max_limit = 510
     made.save(tmp_path / "own.fcm")
-    found, findings = import_machine(tmp_path / "own.fcm")
+    found, remarks = import_machine(tmp_path / "own.fcm")
     assert set(found.workpiece_chain) == {"X", "Y"} and found.tool_chain == ("Z",)
     assert found.axes["X"].travel == (0, 510) and found.axes["Y"].travel == (0, 1000)
     assert found.axes["Z"].direction == (0, 0, 1)
-    assert {f.code for f in findings} == {"fcm-chain-order", "fcm-tool-point", "fcm-reference-points"}
+    assert {f.code for f in remarks} == {"fcm-chain-order", "fcm-tool-point", "fcm-reference-points"}
 
 
 def test_nothing_that_is_written_is_ignored_by_cam(tmp_path):

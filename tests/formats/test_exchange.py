@@ -400,8 +400,8 @@ def test_the_approximation_of_a_rough_table_is_reported():
 )
 def test_a_table_in_another_unit_than_mm_and_rad_is_noticed(values, symbol, said):
     text = f"X {symbol}\n" + "\n".join(f"{x} {v}" for x, v in zip((-200, 0, 200), values.split(), strict=True))
-    _, _, findings = to_machine(machine(fitted={}), isg.loads(text))
-    found = [f for f in findings if f.code == "table-size-implausible"]
+    _, _, remarks = to_machine(machine(fitted={}), isg.loads(text))
+    found = [f for f in remarks if f.code == "table-size-implausible"]
     assert len(found) == bool(said)
     assert all(f.severity == "warning" and symbol in f.text() and said in f.text() for f in found)
 
@@ -412,15 +412,15 @@ def test_a_table_in_another_unit_than_mm_and_rad_is_noticed(values, symbol, said
 )
 def test_positions_in_another_unit_than_mm_are_noticed(places, said):
     text = "X EXX\n" + "\n".join(f"{x} {v}" for x, v in zip(places.split(), (0, 0.005, 0.001), strict=True))
-    _, _, findings = to_machine(machine(fitted={}), isg.loads(text))
-    found = [f for f in findings if f.code == "table-places-implausible"]
+    _, _, remarks = to_machine(machine(fitted={}), isg.loads(text))
+    found = [f for f in remarks if f.code == "table-places-implausible"]
     assert len(found) == bool(said)
     assert all(f.severity == "warning" and f.text().startswith("X: ") and said in f.text() for f in found)
 
 
 def test_a_squareness_in_another_unit_than_rad_is_noticed():
-    _, _, findings = to_machine(machine(fitted={}), etalon.loads("[C0Y]\nVALUE = 20\n"))
-    assert [f.message.fields["symbol"] for f in findings if f.code == "table-size-implausible"] == ["C0Y"]
+    _, _, remarks = to_machine(machine(fitted={}), etalon.loads("[C0Y]\nVALUE = 20\n"))
+    assert [f.message.fields["symbol"] for f in remarks if f.code == "table-size-implausible"] == ["C0Y"]
 
 
 def test_the_examples_of_the_isg_pages_are_read():
@@ -439,7 +439,7 @@ Z      X      EXX    EYX    EZX    EAX    EBX    ECX
     read = isg.loads(text)
     assert [t.symbol for t in read.tables] == ["EXX", "EYX", "EZX", "EAX", "EBX", "ECX"]
     assert read.tables[0].arguments == ("Z", "X")
-    assert {f.text()[:3] for f in read.findings} == {"Y0A", "Z0A", "X0B"}
+    assert {f.text()[:3] for f in read.remarks} == {"Y0A", "Z0A", "X0B"}
     m, quality, _ = to_machine(machine(fitted={}), read)
     corners = np.array([[0, 0, 0], [10, 0, 0], [0, 0, 100], [10, 0, 100]], dtype=float)
     columns = {"x": corners[:, 0], "z": corners[:, 2]}
@@ -465,7 +465,7 @@ Gridpoints = {
     assert table.symbol == "EXY" and table.arguments == ("Y",)
     assert table.points[:, 0].tolist() == [-280, -270, 270]
     assert table.values[0] == -0.001358635132
-    assert [f.line for f in read.findings] == [1]
+    assert [f.line for f in read.remarks] == [1]
 
 
 def test_redundant_position_errors_become_three_squareness_errors():
@@ -478,7 +478,7 @@ def test_redundant_position_errors_become_three_squareness_errors():
     turned = {n: v * 1e-6 + {"A": a, "B": b, "C": c}[n[0]] for n, v in angles.items()}
     again = isg.loads(f"{names}\n" + " ".join(f"{v:.12g}" for v in turned.values()) + "\n")
     assert again.constants == pytest.approx(read.constants)
-    assert {"alignment-removed", "rotation-ignored", "offset-ignored"} <= {f.code for f in read.findings}
+    assert {"alignment-removed", "rotation-ignored", "offset-ignored"} <= {f.code for f in read.remarks}
 
 
 @pytest.mark.parametrize(
@@ -506,7 +506,7 @@ def test_a_stated_convention_is_converted_and_said(convention, symbol, factor, f
         old, new = (next(t for t in r.tables if t.symbol == symbol) for r in (read, out))
         assert np.array_equal(new.values, factor * old.values)
         assert np.array_equal(new.points, flip * old.points)
-    assert len(out.findings) == 1
+    assert len(out.remarks) == 1
 
 
 def test_larger_than_90_means_the_angle_between_the_axes():

@@ -47,19 +47,19 @@ def read(data, **kwargs):
 
 
 def test_roles_make_the_chains_and_limits_the_travel():
-    machine, findings = read(mill())
+    machine, remarks = read(mill())
     assert set(machine.workpiece_chain) == {"X", "Y"} and machine.tool_chain == ("Z",)
     assert machine.axes["X"].travel == (0, 510) and machine.name == "mill"
-    codes = {f.code for f in findings}
+    codes = {f.code for f in remarks}
     assert {"fcm-axis-rotary", "fcm-chain-order", "fcm-tool-point", "fcm-reference-points"} <= codes
 
 
 def test_a_parent_carries_its_child():
     data = mill()
     data["machine"]["axes"]["X"]["parent"] = "Y"
-    machine, findings = read(data)
+    machine, remarks = read(data)
     assert machine.workpiece_chain == ("Y", "X") and machine.structure == "XYFZ"
-    assert "fcm-chain-order" not in {f.code for f in findings}
+    assert "fcm-chain-order" not in {f.code for f in remarks}
     data["machine"]["axes"]["X"]["parent"] = None
     data["machine"]["axes"]["X"]["sequence"] = 1
     assert read(data)[0].workpiece_chain == ("Y", "X")
@@ -84,9 +84,9 @@ def test_a_file_in_inches_still_holds_millimetres():
     """CAM's editor divides by 25.4 where it shows a limit and multiplies where one is typed: the file is metric."""
     data = mill(units="imperial")
     data["machine"]["axes"]["X"]["joint"]["origin"] = [1, 2, 3]
-    machine, findings = read(data)
+    machine, remarks = read(data)
     assert machine.axes["X"].travel == (0, 510) and machine.axes["X"].reference == (1, 2, 3)
-    assert "fcm-imperial" in {f.code for f in findings} and "fcm-imperial" not in {f.code for f in read(mill())[1]}
+    assert "fcm-imperial" in {f.code for f in remarks} and "fcm-imperial" not in {f.code for f in read(mill())[1]}
     back = json.loads(fcm.dumps(machine, base=json.dumps(data)))["machine"]
     assert back["units"] == "imperial"
     assert back["axes"]["X"]["limits"]["max"] == 510 and back["axes"]["X"]["joint"]["origin"] == [1, 2, 3]
@@ -104,9 +104,9 @@ def test_an_axis_that_a_rotary_axis_carries_stands_outside_what_carries_that():
     data = mill()
     data["machine"]["axes"]["A"]["parent"] = "Y"
     data["machine"]["axes"]["X"]["parent"] = "A"
-    machine, findings = read(data)
+    machine, remarks = read(data)
     assert machine.workpiece_chain == ("Y", "X")
-    assert "fcm-chain-order" not in {f.code for f in findings}
+    assert "fcm-chain-order" not in {f.code for f in remarks}
 
 
 def test_a_base_frame_that_stands_elsewhere_is_said():
@@ -129,9 +129,9 @@ def test_a_machine_that_is_written_and_read_again_keeps_its_kinematics(tmp_path,
     machine = Machine("m", *chains, axes, tool_point=(1, 2, 3))
     written = convert(machine, "fcm", tmp_path)
     assert Message("note-not-held", what=Message("held-not-points")) in written.notes
-    again, findings = import_machine(tmp_path / "machine.fcm", tool_point=(1, 2, 3))
+    again, remarks = import_machine(tmp_path / "machine.fcm", tool_point=(1, 2, 3))
     assert again == machine
-    assert not findings
+    assert not remarks
 
 
 def test_writing_into_an_existing_file_changes_its_linear_axes_only():

@@ -48,7 +48,7 @@ def test_the_readings_of_the_page_are_read(tmp_path):
     readings = readings_csv.load(path)
     assert readings.points == 2 and readings.rows == 5
     assert readings.columns["temp_column"][0] == pytest.approx(2.28)
-    assert "sign-assumed" not in {f.code for f in readings.findings}
+    assert "sign-assumed" not in {f.code for f in readings.remarks}
 
 
 def test_the_mapping_and_the_tables_of_the_page_are_read():

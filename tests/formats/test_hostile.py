@@ -204,7 +204,7 @@ def test_a_table_is_refused_in_few_words(tmp_path, text, code):
 def test_two_decimal_signs_in_two_columns_are_said(tmp_path):
     found = readings_csv.load_positions(table(tmp_path, "x_mm;y_mm;z_mm\n1,5;2.5;3\n2,5;3.5;3\n"))
     assert found.q.tolist() == [[1.5, 2.5, 3], [2.5, 3.5, 3]]
-    assert "decimal-signs" in {f.code for f in found.findings}
+    assert "decimal-signs" in {f.code for f in found.remarks}
 
 
 LARGE = {
@@ -318,4 +318,4 @@ def test_some_positions_outside_are_only_said():
     q[:3] = 5000
     none = np.empty(0, dtype=int)
     rows = Readings(q=q, point=none, sense=np.empty((0, 3)), value=np.empty(0), u=np.empty(0), kind=none, columns={})
-    assert [f.code for f in within_travel(machine, rows).findings] == ["outside-travel"]
+    assert [f.code for f in within_travel(machine, rows).remarks] == ["outside-travel"]

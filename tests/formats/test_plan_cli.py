@@ -116,7 +116,7 @@ def test_names_of_readings_say_which_directions_are_planned(place):
 
 def test_directions_of_approach_are_derived_from_the_order_and_that_is_said(place):
     readings = plan_json.load(place / "grid.csv", 1.0)
-    assert [f.code for f in readings.findings] == ["direction-derived"]
+    assert [f.code for f in readings.remarks] == ["direction-derived"]
     assert (readings.columns["dir_z"][1:5] == 1).all() and readings.columns["dir_z"][5] == -1
 
 

@@ -32,7 +32,7 @@ def read(tmp_path, header, *lines, **kwargs):
 
 
 def codes(readings):
-    return {f.code for f in readings.findings}
+    return {f.code for f in readings.remarks}
 
 
 @pytest.mark.parametrize(
@@ -171,7 +171,7 @@ def test_rows_out_of_time_order_are_sorted_stably_and_keep_their_line(tmp_path):
     assert readings.line.tolist() == [3, 4, 5, 2]
     assert readings.run.tolist() == ["b", "c", "d", "a"]
     assert (readings.value * 1e3).tolist() == pytest.approx([2, 3, 4, 1])
-    assert any(f.code == "time-order" and f.line == 3 for f in readings.findings)
+    assert any(f.code == "time-order" and f.line == 3 for f in readings.remarks)
 
 
 @pytest.mark.parametrize(
@@ -221,7 +221,7 @@ def test_nothing_is_left_out_without_a_word(tmp_path):
     assert readings.points == 18
     assert set(readings.line) == set(range(2, 22)) - {5, 9}
     assert "temp_c" not in readings.columns and "temp_b" in readings.columns
-    said = " ".join(f.text() for f in readings.findings)
+    said = " ".join(f.text() for f in readings.remarks)
     assert "line 5: these rows are left out" in said
     assert "no reading in line 9: left out" in said
     assert '"temp_c_C"' in said and "the column is left out" in said
@@ -230,7 +230,7 @@ def test_nothing_is_left_out_without_a_word(tmp_path):
 def test_a_nan_reading_is_not_a_reading_and_that_is_said(tmp_path):
     readings = read(tmp_path, f"{HEAD},ex_um,ey_um", *["1,2,3,4,5"] * 11, "1,2,3,nan,5")
     assert readings.rows == 23
-    assert any(f.code == "nan-reading" and f.line == 13 for f in readings.findings)
+    assert any(f.code == "nan-reading" and f.line == 13 for f in readings.remarks)
 
 
 def test_text_columns_are_categories_and_unknown_names_are_reported(tmp_path):
@@ -238,7 +238,7 @@ def test_text_columns_are_categories_and_unknown_names_are_reported(tmp_path):
     assert set(readings.categories["operator"]) == {"Ann", "Bo"}
     assert readings.columns["flow"][0] == 4
     assert set(readings.run) == {"7", "8"}
-    assert any(f.code == "unknown-column" and '"flow"' in f.text() for f in readings.findings)
+    assert any(f.code == "unknown-column" and '"flow"' in f.text() for f in readings.remarks)
 
 
 def test_tool_offsets_are_vectors(tmp_path):
@@ -336,7 +336,7 @@ def test_a_simulated_session_is_read_whole(tmp_path):
     assert np.allclose(readings.value.reshape(-1, 3)[:, 0], raw["ex_um"] * 1e-3, rtol=0, atol=1e-15)
     assert np.allclose(readings.columns["temp_column"], raw["temp_column_C"] - 20, rtol=0, atol=1e-12)
     assert np.array_equal(readings.columns["dir_y"], raw["dir_y"])
-    assert not [f for f in readings.findings if f.severity != "info"]
+    assert not [f for f in readings.remarks if f.severity != "info"]
     assert readings_csv.load_positions(tmp_path / "positions.csv").points == len(raw)
 
 

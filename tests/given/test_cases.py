@@ -114,7 +114,7 @@ def test_the_cases_with_a_known_answer_are_read_whole(case):
     assert np.allclose(readings.value.reshape(-1, 3)[:, 0], raw["ex_um"] * 1e-3, rtol=0, atol=1e-15)
     assert np.allclose(readings.columns["temp_column"], raw["temp_column_C"] - 20, rtol=0, atol=1e-12)
     assert np.array_equal(readings.columns["dir_y"], raw["dir_y"])
-    assert not [f for f in readings.findings if f.severity != "info"]
+    assert not [f for f in readings.remarks if f.severity != "info"]
     assert readings_csv.load_positions(folder / "positions.csv").points == len(raw)
 
 

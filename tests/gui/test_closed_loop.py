@@ -101,7 +101,7 @@ def test_a_foreign_table_is_understood_and_its_signs_are_asked(machine, machine_
     choose(panel.answers["frame"], "tool_relative_to_workpiece")
     choose(panel.answers["positions"], "programmed")
     pump(400)
-    assert any("sign of the readings is turned" in panel.findings.item(i).text() for i in range(panel.findings.count()))
+    assert any("sign of the readings is turned" in panel.remarks.item(i).text() for i in range(panel.remarks.count()))
     screenshot("readings")
     click("Ok")
     (table,) = tree.readings_of(machine)

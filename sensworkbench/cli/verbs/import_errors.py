@@ -24,13 +24,13 @@ def run(arguments) -> int:
     from sensworkbench.formats.file_sets import staged_file
 
     machine = machine_json.load(arguments.machine)
-    found, quality, findings = convert.import_errors(
+    found, quality, remarks = convert.import_errors(
         machine, arguments.source, *arguments.tables, degree=arguments.degree
     )
     common.keep_inputs(arguments.out, arguments.machine, *arguments.tables)
     with staged_file(arguments.out) as work:
         machine_json.save(found, work)
-    for finding in findings:
+    for finding in remarks:
         common.say(f"{finding.severity}: {finding.message}")
     for table in quality:
         size = f"{table.rms:.3f} {table.unit} rms, {table.largest:.3f} at most"

@@ -21,10 +21,10 @@ def run(arguments) -> int:
     from sensworkbench.formats.exchange import convert
     from sensworkbench.formats.file_sets import staged_file
 
-    machine, findings = convert.import_machine(arguments.source, arguments.tool_point)
+    machine, remarks = convert.import_machine(arguments.source, arguments.tool_point)
     common.keep_inputs(arguments.out, arguments.source)
     with staged_file(arguments.out) as work:
         machine_json.save(machine, work)
-    for finding in findings:
+    for finding in remarks:
         common.say(f"{finding.severity}: {finding.message}")
     return common.say_paths([arguments.out])

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from ...messages import Message
 from .found import Found, Question, State
-from .links import Reading, label_of
+from .links import Chains, label_of
 
 
 def ask_bodies(made: Found, state: State) -> None:
@@ -16,7 +16,7 @@ def ask_bodies(made: Found, state: State) -> None:
         made.questions.append(Question(f"body:{name}", Message("propose-ask-moves", axis=name), "parts"))
 
 
-def ask(state: State, reading: Reading, made: Found, sure: float, answers) -> None:
+def ask(state: State, reading: Chains, made: Found, sure: float, answers) -> None:
     """What is left, the most important first; one is asked at a time."""
 
     def ask(name: str, message: Message, kind: str = "part", choices: tuple = ()) -> None:

@@ -15,7 +15,7 @@ from ...messages import Refused
 from .. import curves, factory
 from ..imported import COMPOUNDS, split, whole_containers
 from ..part_names import TOOL_POINT
-from ..paths import Place, _is_datum, leaves, place
+from ..paths import PartPath, _is_datum, leaves, place
 from .facets import Looker, skins
 from .found import Axis, Found
 from .reading import Unit
@@ -85,7 +85,7 @@ def _where_the_slider_stands(machine, axis, parts) -> None:
 
 
 # -- parts -----------------------------------------------------------------------------------------------------------
-def _taken_apart(found: Found) -> dict[tuple, Place]:
+def _taken_apart(found: Found) -> dict[tuple, PartPath]:
     """Unit -> where it stands once lumps are taken apart."""
     units = [*(u for group in found.bodies.values() for u in group), *found.left_out]
     made = {u.key: u.where for u in units if u.number is None}
@@ -110,7 +110,7 @@ def _has_solids(obj) -> bool:
 
 def _box(obj, frame) -> np.ndarray:
     """The box of a part in the frame in which the document was read."""
-    where = Place(obj) if not obj.getParentGeoFeatureGroup() else place(obj)
+    where = PartPath(obj) if not obj.getParentGeoFeatureGroup() else place(obj)
     solids = [s.scaled(frame.scale) for s in Looker().solids(where.shape(), frame.turn)]
     boxes = np.array([s.box for s in solids]) if solids else np.full((1, 6), np.inf)
     return np.hstack([boxes[:, :3].min(0), boxes[:, 3:].max(0)])
@@ -163,7 +163,7 @@ def _direction(doc, found: Found, axis: Axis, places):
     return (line, "Edge1"), False
 
 
-def along(where: Place, u: App.Vector, most: int | None = MOST_EDGES):
+def along(where: PartPath, u: App.Vector, most: int | None = MOST_EDGES):
     """(link to the longest straight edge, or an axis of a cylinder, along u; whether to reverse it), or None.
 
     most : edges and faces of each part that are looked at, None: all.
@@ -202,7 +202,7 @@ def _vertex(doc, name: str, label: str, at):
     return point, "Vertex1"
 
 
-def named_tool_point(doc) -> Place | None:
+def named_tool_point(doc) -> PartPath | None:
     """A coordinate system, datum or point whose name says that it is the tool's tip, or None."""
     for obj in doc.Objects:
         if (_is_datum(obj) or obj.TypeId == "Part::Vertex") and TOOL_POINT.search(obj.Label):

@@ -6,13 +6,13 @@ from __future__ import annotations
 from . import bodies as grouping
 from .directing import guide_evidence
 from .found import State
-from .links import Link, Reading, most_common
+from .links import Chains, Link, most_common
 from .pinned import forced
 from .reading import Document
 from .rooting import rooted
 
 
-def by_guides(state: State, places, up, answers) -> Reading | None:
+def by_guides(state: State, places, up, answers) -> Chains | None:
     """Return the reading that follows from a cut at every sure guide, or None where there is none."""
     document = state.document
     used_graph = grouping.graph(document, state.found, state.guides, state.minor, state.size)

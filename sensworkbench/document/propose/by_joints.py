@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from . import bodies as grouping
 from .found import State
-from .links import Evidence, Link, Reading
+from .links import Chains, Evidence, Link
 from .rooting import rooted
 
 
-def by_joints(state: State, places, up, answers) -> Reading | None:
+def by_joints(state: State, places, up, answers) -> Chains | None:
     """Bodies by the joints of an assembly: fixed and turning ones hold together, sliders are axes."""
     document = state.document
     sliders = [b for b in document.bonds if b.kind == "slider"]

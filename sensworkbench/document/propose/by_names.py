@@ -7,13 +7,13 @@ import numpy as np
 
 from . import words
 from .bodies import adopt
-from .links import Evidence, Link, Reading
+from .links import Chains, Evidence, Link
 from .reading import Document
 from .rooting import tree
 from .speech import Words, roles_of
 
 
-def by_names(document: Document, found, places, minor, size: float, said: Words, up, answers) -> Reading | None:
+def by_names(document: Document, found, places, minor, size: float, said: Words, up, answers) -> Chains | None:
     """Bodies by what the parts are called; None where the names say too little."""
     units = document.units
     nodes: dict[str, set[int]] = {}
@@ -69,7 +69,7 @@ def by_names(document: Document, found, places, minor, size: float, said: Words,
     for link in links:
         label = _name(document, bodies[link.outer], nodes[names[link.outer]])
         link.evidence = [Evidence("propose-evidence-name", 0.3, None, {"part": label})]
-    return Reading(bodies, 0, links, "names", far)
+    return Chains(bodies, 0, links, "names", far)
 
 
 def _host(document, nodes, role, letters, found, places) -> str:

@@ -9,12 +9,12 @@ import numpy as np
 
 from . import words
 from .guides import Guide, shape_of
-from .links import EVIDENCE_CAP, Evidence, Link, Reading
+from .links import EVIDENCE_CAP, Chains, Evidence, Link
 from .reading import Document
 from .speech import Words, roles_of
 
 
-def direct(document: Document, reading: Reading, places, axes, up, said: Words, slides, size: float) -> None:
+def direct(document: Document, reading: Chains, places, axes, up, said: Words, slides, size: float) -> None:
     """Give each link its direction: what guides, contacts, names and shapes vote for, no two alike where possible."""
     rows = []
     for link in reading.links:

@@ -18,7 +18,7 @@ from .by_names import by_names
 from .directing import direct
 from .found import Found, Question, State
 from .leading import lead, named_bodies
-from .links import Reading
+from .links import Chains
 from .look import look
 from .reading import read
 from .speech import common_holders, place_of
@@ -89,7 +89,7 @@ def weigh(state: State, answers=None) -> Found:
     return made
 
 
-def _best(state: State, places, up, answers) -> Reading | None:
+def _best(state: State, places, up, answers) -> Chains | None:
     joints = by_joints(state, places, up, answers)
     if joints is not None and len(joints.links) >= 2:
         return joints
@@ -99,7 +99,7 @@ def _best(state: State, places, up, answers) -> Reading | None:
     if not options:
         return None
 
-    def value(r: Reading) -> float:
+    def value(r: Chains) -> float:
         count = min(3, len(r.links))
         if r.source == "guides":
             sure = sum(max((g.weight for g in k.guides), default=0.0) for k in r.links[:3])

@@ -42,7 +42,7 @@ class Axis:
     units: list[Unit]
     point: np.ndarray | None = None
     assumed: bool = False
-    joint: object = None  # Place of a slider joint of the document
+    joint: object = None  # PartPath of a slider joint of the document
     reverse: bool = False
     rail: Unit | None = None
 

@@ -11,14 +11,14 @@ from .asking import ask, ask_bodies
 from .directing import direct
 from .found import LEAST, Axis, Found, State
 from .lettering import give_letters
-from .links import Link, Reading, label_of
+from .links import Chains, Link, label_of
 from .reading import Document
 from .rooting import contract, swallow
 from .sides import branches_of, sides_of
 from .travel import travel_of
 
 
-def lead(state: State, reading: Reading, places, upright, made: Found, answers) -> None:
+def lead(state: State, reading: Chains, places, upright, made: Found, answers) -> None:
     """Fill a proposal from a reading: axes, bodies, order, confidence, remarks, questions."""
     document, (up, up_sure) = state.document, upright
     made.kind = "serial"
@@ -104,7 +104,7 @@ def _depth(reading, link) -> int:
     return 1 + (_depth(reading, before) if before is not None else 0)
 
 
-def _bed_reason(state: State, reading: Reading, places) -> Message:
+def _bed_reason(state: State, reading: Chains, places) -> Message:
     document, body = state.document, reading.bodies[reading.bed]
     if document.grounded & body:
         return Message("propose-bed-grounded", part=document.units[min(document.grounded & body)].label)
@@ -127,7 +127,7 @@ def _disputed(document: Document, places, made: Found) -> list[str]:
     return labels
 
 
-def _agreement(state: State, reading: Reading, places, tool, work) -> bool:
+def _agreement(state: State, reading: Chains, places, tool, work) -> bool:
     """Whether names say the same as the guides: what is called fixed stands, what is called moving moves."""
     units = state.document.units
     moved = set().union(*[reading.bodies[k.outer] for k in reading.links]) if reading.links else set()
@@ -146,7 +146,7 @@ def _agreement(state: State, reading: Reading, places, tool, work) -> bool:
     return right > 0 and wrong <= 0.15 * right
 
 
-def _axis(state: State, reading: Reading, link: Link, on_work: bool, made: Found, answers) -> Axis:
+def _axis(state: State, reading: Chains, link: Link, on_work: bool, made: Found, answers) -> Axis:
     document = state.document
     u, frame = np.array(link.u, float), document.frame
     out = frame.outward(u)
@@ -172,7 +172,7 @@ def _axis(state: State, reading: Reading, link: Link, on_work: bool, made: Found
     return made_axis
 
 
-def _ends(state: State, reading: Reading, work, tool, places, made: Found) -> None:
+def _ends(state: State, reading: Chains, work, tool, places, made: Found) -> None:
     """Spindle and workpiece out of the last bodies, where their names say so."""
     document = state.document
     for name, branch, roles in (("T", tool, {"tool", "toolpost"}), ("W", work, {"work"})):

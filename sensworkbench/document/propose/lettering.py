@@ -9,10 +9,10 @@ import numpy as np
 
 from . import words
 from .found import State
-from .links import Link, Reading
+from .links import Chains, Link
 
 
-def give_letters(state: State, reading: Reading, links, places, up) -> None:
+def give_letters(state: State, reading: Chains, links, places, up) -> None:
     """X, Y, Z for each link: as names say, else by direction (on a lathe along and across the spindle)."""
     stated = [_stated(state, link, reading, places) for link in links]
     named = [a for a in stated if a]
@@ -43,7 +43,7 @@ def give_letters(state: State, reading: Reading, links, places, up) -> None:
         link.letter = letter
 
 
-def _stated(state: State, link: Link, reading: Reading, places) -> str:
+def _stated(state: State, link: Link, reading: Chains, places) -> str:
     """The letter that the joint's name, or most of the moving body's names, state."""
     if link.bond is not None and words.letter(link.bond.label):
         return words.letter(link.bond.label)

@@ -42,7 +42,7 @@ class Link:
 
 
 @dataclass
-class Reading:
+class Chains:
     """Bodies (sets of unit numbers), the first of them the bed, and the links between them from the bed outwards."""
 
     bodies: list[set[int]]

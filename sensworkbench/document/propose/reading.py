@@ -15,7 +15,7 @@ import numpy as np
 from .. import curves, joints
 from ..base import kind_of
 from ..imported import COMPOUNDS
-from ..paths import DATUM_TYPES, Place, _is_folder, container_of, leaves, place
+from ..paths import DATUM_TYPES, PartPath, _is_folder, container_of, leaves, place
 from . import words
 from .facets import Looker, Solid, of_mesh
 from .frame import Frame, frame_of
@@ -31,7 +31,7 @@ class Unit:
     number : which solid of the object it is, where the object is one lump of many (None: the whole object).
     """
 
-    where: Place
+    where: PartPath
     labels: tuple[str, ...]
     solids: list[Solid] = field(default_factory=list)
     number: int | None = None
@@ -97,7 +97,7 @@ class Bond:
     u: np.ndarray | None = None
     stands: float = 0.0
     limits: tuple[float, float] | None = None
-    joint: Place | None = None
+    joint: PartPath | None = None
     weight: float = 1.0  # of what only places: how firmly it may hold
 
 
@@ -117,7 +117,7 @@ class Document:
     names: list[str] = field(default_factory=list)  # all labels, containers too
     inside_link: bool = False
     frame: Frame = field(default_factory=Frame)  # that solids and bonds are given in
-    apart: dict = field(default_factory=dict)  # unit key -> Place of the object that a lump's solid became
+    apart: dict = field(default_factory=dict)  # unit key -> PartPath of the object that a lump's solid became
 
 
 def read(doc, selection=(), seconds: float = 8.0, progress=None) -> Document:
@@ -145,7 +145,7 @@ def read_parts(chosen, seconds: float = 8.0) -> Document:
     """Read some parts alone, without the joints between them.  chosen : their places."""
     found, names = [], []
     for where in chosen:
-        _walk(Place(where.root, where.path), (), found, names)
+        _walk(PartPath(where.root, where.path), (), found, names)
     return _looked_at(found, names, seconds, None)
 
 
@@ -178,13 +178,13 @@ def _units(found, looks) -> list[Unit]:
     return units
 
 
-def _tops(doc, selection) -> list[Place]:
+def _tops(doc, selection) -> list[PartPath]:
     if selection:
         chosen = [w for link in selection if (w := place(link)) is not None and not kind_of(w.object)]
-        chosen = [Place(w.root, w.path) for w in chosen]
+        chosen = [PartPath(w.root, w.path) for w in chosen]
         keys = {w.key: w for w in chosen}
         return [w for w in keys.values() if not any(w.key[:n] in keys for n in range(1, len(w.key)))]
-    return [Place(o) for o in doc.Objects if container_of(o) is None and not _is_folder(o) and not kind_of(o)
+    return [PartPath(o) for o in doc.Objects if container_of(o) is None and not _is_folder(o) and not kind_of(o)
             and not _consumed(o)]  # fmt: skip
 
 
@@ -206,7 +206,7 @@ def _opened(compound) -> bool:
     return len(compound.Links) > 1 and compound.Placement.isIdentity() and len(others) < FEW
 
 
-def _folders_of(where: Place, folders) -> tuple:
+def _folders_of(where: PartPath, folders) -> tuple:
     outer, obj = [], where.root
     while obj.Name in folders and len(outer) < 20:
         obj = folders[obj.Name]
@@ -214,7 +214,7 @@ def _folders_of(where: Place, folders) -> tuple:
     return tuple(((o.Document.Name, o.Name), o.Label) for o in outer)
 
 
-def _visible(where: Place) -> bool:
+def _visible(where: PartPath) -> bool:
     return all(getattr(o, "Visibility", True) for o in where.chain)
 
 
@@ -233,7 +233,7 @@ def _without_library(found: list) -> list:
     return found
 
 
-def _walk(where: Place, outer: tuple, found: list, names: list) -> None:
+def _walk(where: PartPath, outer: tuple, found: list, names: list) -> None:
     obj = where.object
     if obj is None or kind_of(obj) or obj.TypeId in DATUM_TYPES or joints.is_joint(obj) or joints.is_ground(obj):
         return
@@ -290,14 +290,14 @@ def _inside_links(found, names):
     return deeper if changed else None
 
 
-def _faces(where: Place) -> int:
+def _faces(where: PartPath) -> int:
     try:
         return len(curves.parts(where.shape(), "Faces"))
     except Exception:  # noqa: BLE001 - a damaged part comes last
         return 10**9
 
 
-def _solids(where: Place, looker: Looker, frame: Frame | None = None) -> list[Solid]:
+def _solids(where: PartPath, looker: Looker, frame: Frame | None = None) -> list[Solid]:
     turn = None if frame is None else frame.turn
     try:
         if hasattr(where.object, "Mesh"):
@@ -326,7 +326,7 @@ def _bonds(doc, made: Document) -> None:
     for n, unit in enumerate(made.units):
         by_name.setdefault(unit.where.root.Name, []).append(n)
 
-    def numbers(where: Place) -> list[int]:
+    def numbers(where: PartPath) -> list[int]:
         """The units that a place is, or stands in, or holds."""
         key = where.key
         inside = next((index[key[:n]] for n in range(len(key), 0, -1) if key[:n] in index), None)

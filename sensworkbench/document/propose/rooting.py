@@ -7,7 +7,7 @@ import numpy as np
 
 from . import words
 from .found import State
-from .links import Link, Reading
+from .links import Chains, Link
 from .pinned import pins
 from .reading import Document
 from .speech import Words, places_all, roles_of
@@ -59,7 +59,7 @@ def bed_scores(document: Document, bodies, places, up, said: Words, pinned: set[
     return scores
 
 
-def rooted(state, parts, edges, places, up, answers, source, far) -> Reading | None:
+def rooted(state, parts, edges, places, up, answers, source, far) -> Chains | None:
     """Return the reading in which the most likely body is the bed, at most three links outwards from it."""
     document = state.document
     inside = sorted({b for pair in edges for b in pair})
@@ -69,7 +69,7 @@ def rooted(state, parts, edges, places, up, answers, source, far) -> Reading | N
     ranked = sorted(inside, key=lambda b: -(scores[b] + 0.15 * min(2, degree[b])))
     bed = ranked[0]
     links, again = tree(parts, edges, bed)
-    reading = Reading(parts, bed, links, source, far)
+    reading = Chains(parts, bed, links, source, far)
     reading.bed_sure = min(0.95, 0.5 + 0.4 * (scores[bed] - scores[ranked[1]])) if len(ranked) > 1 else 0.5
     reached = {bed, *(k.outer for k in links)}
     for b in range(len(parts)):  # islands with guides of their own, and what nothing reaches, stand on the bed
@@ -81,7 +81,7 @@ def rooted(state, parts, edges, places, up, answers, source, far) -> Reading | N
     return reading
 
 
-def _prune(state: State, reading: Reading, places, answers) -> None:
+def _prune(state: State, reading: Chains, places, answers) -> None:
     """At most three links in at most two branches: what else slides (a tailstock, a door) goes to what carries it."""
     tools = {n for n, (role, _) in places.items() if role in ("tool", "toolpost", "quill")} | pins(
         state.document, answers, "tool")  # fmt: skip
@@ -124,7 +124,7 @@ def _prune(state: State, reading: Reading, places, answers) -> None:
         swallow(reading, drop)
 
 
-def contract(reading: Reading, link: Link) -> None:
+def contract(reading: Chains, link: Link) -> None:
     """What moves along a link belongs to what carries it, and carries on what it carried."""
     for below in reading.links:
         if below.inner == link.outer:
@@ -135,7 +135,7 @@ def contract(reading: Reading, link: Link) -> None:
     reading.merged.append((link.outer, link.inner))
 
 
-def swallow(reading: Reading, link: Link) -> None:
+def swallow(reading: Chains, link: Link) -> None:
     """What moves along a link belongs to what carries it."""
     for below in [k for k in reading.links if k.inner == link.outer]:
         swallow(reading, below)

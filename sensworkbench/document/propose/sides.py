@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from . import words
 from .found import State
-from .links import Link, Reading
+from .links import Chains, Link
 from .pinned import pins
 from .speech import roles_of
 
@@ -21,7 +21,7 @@ def branches_of(links, bed) -> list[list[Link]]:
     return branches[:2]
 
 
-def sides_of(state: State, reading: Reading, branches, places, up, answers):
+def sides_of(state: State, reading: Chains, branches, places, up, answers):
     """(workpiece side, tool side, how sure): by a person, by names, by where the upright axis is."""
     branches = [*branches, *[[] for _ in range(2 - len(branches))]]
     document = state.document

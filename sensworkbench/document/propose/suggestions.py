@@ -15,7 +15,7 @@ import numpy as np
 
 from ...core.errors import AXES
 from ...messages import Message, Refused
-from ..paths import Place, place
+from ..paths import PartPath, place
 from .building import along
 from .guides import is_round_bar, shape_of
 from .reading import Document, read_parts
@@ -46,7 +46,7 @@ class _Way:
     """What shows one direction: u in the frame of the machine, the longest of its guides, the sum of all."""
 
     u: np.ndarray
-    where: Place
+    where: PartPath
     label: str
     kind: str
     length: float

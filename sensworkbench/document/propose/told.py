@@ -4,11 +4,11 @@
 from __future__ import annotations
 
 from .found import State
-from .links import Evidence, Link, Reading, most_common
+from .links import Chains, Evidence, Link, most_common
 from .pinned import pins
 
 
-def as_told(state: State, reading: Reading | None, answers) -> Reading | None:
+def as_told(state: State, reading: Chains | None, answers) -> Chains | None:
     """The reading with the bodies that a person has given: `body:X` -> parts that move as axis X."""
     document = state.document
     told = [(name[5:], pins(document, answers, name)) for name in answers if name.startswith("body:")]
@@ -16,7 +16,7 @@ def as_told(state: State, reading: Reading | None, answers) -> Reading | None:
     if not told:
         return reading
     if reading is None:
-        reading = Reading([set(range(len(document.units)))], 0, [], "person")
+        reading = Chains([set(range(len(document.units)))], 0, [], "person")
     new = []
     for letter, units in told:
         home = most_common(
@@ -40,7 +40,7 @@ def as_told(state: State, reading: Reading | None, answers) -> Reading | None:
     return reading
 
 
-def _nest(state: State, reading: Reading, new: list[Link]) -> None:
+def _nest(state: State, reading: Chains, new: list[Link]) -> None:
     """Bodies that a person took out of one body carry each other where they touch, from that body outwards."""
     owner = {n: b for b, body in enumerate(reading.bodies) for n in body}
     areas: dict[tuple[int, int], float] = {}

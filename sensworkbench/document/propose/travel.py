@@ -8,10 +8,10 @@ import numpy as np
 from ...messages import Message
 from .found import ASSUMED_TRAVEL, State
 from .guides import shape_of
-from .links import Link, Reading
+from .links import Chains, Link
 
 
-def travel_of(state: State, reading: Reading, link: Link, u, on_work: bool):
+def travel_of(state: State, reading: Chains, link: Link, u, on_work: bool):
     """((low, high), reference point, whether assumed, in words): as far as what slides stays on what it slides on."""
     document = state.document
     outer = reading.bodies[link.outer]

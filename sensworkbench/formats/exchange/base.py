@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sensworkbench.closedloop.readings import Finding
+from sensworkbench.closedloop.readings import Remark
 from sensworkbench.core.errors import SQUARENESS, TRANSLATION
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.units import um
@@ -60,7 +60,7 @@ class Format:
         """The error tables in a text; refuses what is not this format, with the line."""
         raise Refused("format-not-read", self.name, title=self.title)
 
-    def read_machine(self, text: str, source: str, tool_point) -> tuple[Machine, tuple[Finding, ...]]:
+    def read_machine(self, text: str, source: str, tool_point) -> tuple[Machine, tuple[Remark, ...]]:
         """The machine in a text, and what it leaves open."""
         raise Refused("format-not-read", self.name, title=self.title)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from sensworkbench.closedloop.readings import Finding, Readings
+from sensworkbench.closedloop.readings import Readings, Remark
 from sensworkbench.core.machine import Machine
 from sensworkbench.messages import LANGUAGES, Message, Refused
 from sensworkbench.studies import coverage, remaining
@@ -86,7 +86,7 @@ def convert(
 
 def import_errors(
     machine: Machine, name: str, *paths, degree: int = 3, convention: Convention | None = None
-) -> tuple[Machine, tuple[Approximation, ...], tuple[Finding, ...]]:
+) -> tuple[Machine, tuple[Approximation, ...], tuple[Remark, ...]]:
     """The machine with the error tables of files as its fitted errors; see `error_tables.to_machine`."""
     found = known.get(name, "--from")
     if not found.reads_errors:
@@ -95,6 +95,6 @@ def import_errors(
     return to_machine(machine, tables, degree, convention)
 
 
-def import_machine(path, tool_point=(0.0, 0.0, 0.0), name: str = "fcm") -> tuple[Machine, tuple[Finding, ...]]:
+def import_machine(path, tool_point=(0.0, 0.0, 0.0), name: str = "fcm") -> tuple[Machine, tuple[Remark, ...]]:
     """The machine of a machine file of another system."""
     return known.get(name).read_machine(read_text(path), str(Path(path)), tool_point)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import re
 
-from sensworkbench.closedloop.readings import Finding
+from sensworkbench.closedloop.readings import Remark
 from sensworkbench.core.errors import FUNCTION_SYMBOLS
 from sensworkbench.studies.error_tables import remark
 
@@ -30,21 +30,21 @@ def kind(name: str) -> str:
     return "kinematic" if KINEMATIC.match(name) else "unknown"
 
 
-def squareness_of(position_errors: dict[str, tuple[float, int]]) -> tuple[dict[str, float], list[Finding]]:
+def squareness_of(position_errors: dict[str, tuple[float, int]]) -> tuple[dict[str, float], list[Remark]]:
     """C0Y, A0Z, B0Z (rad) of redundant position errors name -> (value, line); X primary, Y secondary.
 
     The common rotation (A0Y, B0X, C0X) is taken out; a rotation about the axis's own direction tilts nothing.
     """
-    findings = []
+    remarks = []
     value = {k: v for k, (v, _) in position_errors.items()}
     for name, (v, line) in position_errors.items():
         if v and name[0] in "XYZ":
-            findings.append(remark("offset-ignored", line, name=name))
+            remarks.append(remark("offset-ignored", line, name=name))
         if v and name in ("A0X", "B0Y", "C0Z"):
-            findings.append(remark("rotation-ignored", line, name=name, axis=name[2]))
+            remarks.append(remark("rotation-ignored", line, name=name, axis=name[2]))
     common = {"C0Y": "C0X", "B0Z": "B0X", "A0Z": "A0Y"}
     if any(value.get(k) for k in common.values()):
         lines = [position_errors[k][1] for k in common.values() if value.get(k)]
-        findings.append(remark("alignment-removed", min(lines)))
+        remarks.append(remark("alignment-removed", min(lines)))
     angles = {s: value.get(s, 0.0) - value.get(r, 0.0) for s, r in common.items() if s in value or value.get(r)}
-    return angles, findings
+    return angles, remarks

@@ -48,13 +48,13 @@ FORMAT = Etalon()
 
 def loads(text: str, source: str = "Etalon file") -> ErrorTables:
     """The tables in `text`; refuses unknown parameters and anything else that is not the format, with the line."""
-    functions, constants, findings = [], {}, []
+    functions, constants, remarks = [], {}, []
     for name, line, value, rows in _blocks(text, source):
         kind = parameters.kind(name)
         if kind == "unknown":
             raise Refused("table-parameter-unknown", f"{source}, line {line}", name=short(name))
         if kind in ("rotary", "kinematic"):
-            findings.append(remark(f"parameter-ignored-{kind}", line, "warning", name=name[:20]))
+            remarks.append(remark(f"parameter-ignored-{kind}", line, "warning", name=name[:20]))
         elif kind == "constant" and value is not None:
             constants[name] = (value, line)
         elif kind == "function" and rows:
@@ -68,7 +68,7 @@ def loads(text: str, source: str = "Etalon file") -> ErrorTables:
     if not functions and not constants:
         raise Refused("tables-empty", source, title=FORMAT.title)
     angles, notes = parameters.squareness_of(constants)
-    return ErrorTables(tuple(functions), angles, tuple(findings + notes))
+    return ErrorTables(tuple(functions), angles, tuple(remarks + notes))
 
 
 def _blocks(text: str, source: str):

@@ -13,14 +13,14 @@ import json
 import math
 from collections.abc import Mapping
 
-from sensworkbench.closedloop.readings import Finding
+from sensworkbench.closedloop.readings import Remark
 from sensworkbench.core import joints
 from sensworkbench.core.errors import AXES
 from sensworkbench.core.machine import Machine
 from sensworkbench.messages import Message, Refused
 from sensworkbench.studies.error_tables import remark
 
-from ...json_text import Place, parse, short
+from ...json_text import Node, parse, short
 from ..base import MachineFile
 
 UNITS = ("metric", "imperial")
@@ -48,7 +48,7 @@ class Fcm(MachineFile):
 FORMAT = Fcm()
 
 
-def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) -> tuple[Machine, tuple[Finding, ...]]:
+def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) -> tuple[Machine, tuple[Remark, ...]]:
     """The machine in `text`, and what the file leaves open."""
     top = parse(text, source)
     if not isinstance(top.value, dict):
@@ -61,10 +61,10 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
     units = place.value.get("units", "metric")
     if units not in UNITS:
         raise place["units"].refuse("fcm-units", units=short(units))
-    findings = []
+    remarks = []
     if units == "imperial":
-        findings.append(remark("fcm-imperial", 0, "warning"))
-    _base_frame(place, findings)
+        remarks.append(remark("fcm-imperial", 0, "warning"))
+    _base_frame(place, remarks)
     linear: dict[str, Mapping] = {}
     parents: dict[str, str | None] = {}
     for name, entry in place["axes"].members():
@@ -74,19 +74,19 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
             raise entry.refuse("fcm-axis-twice", name=short(name))
         parents[name.upper()] = _parent(entry)
         if entry.value.get("type", "linear") != "linear":
-            findings.append(remark("fcm-axis-rotary", 0, "warning", name=name))
+            remarks.append(remark("fcm-axis-rotary", 0, "warning", name=name))
         elif name.upper() in AXES:
             linear[name.upper()] = _axis(name, entry)
         else:
-            findings.append(remark("fcm-axis-other", 0, "warning", name=name))
+            remarks.append(remark("fcm-axis-other", 0, "warning", name=name))
     for name in AXES:
         if name not in linear:
             raise place["axes"].refuse("fcm-axis-missing", name=name)
-    chains = {side: _chain(linear, parents, side, findings) for side in ("workpiece", "tool")}
+    chains = {side: _chain(linear, parents, side, remarks) for side in ("workpiece", "tool")}
     if tuple(tool_point) == (0.0, 0.0, 0.0):
-        findings.append(remark("fcm-tool-point", 0, "warning"))
+        remarks.append(remark("fcm-tool-point", 0, "warning"))
     if all(a["origin"] == (0.0, 0.0, 0.0) for a in linear.values()):
-        findings.append(remark("fcm-reference-points", 0, "warning"))
+        remarks.append(remark("fcm-reference-points", 0, "warning"))
     machine = Machine(
         name=str(place.value.get("name", "machine")),
         workpiece_chain=chains["workpiece"],
@@ -94,24 +94,24 @@ def loads(text: str, source: str = "machine.fcm", tool_point=(0.0, 0.0, 0.0)) ->
         joints={k: joints.linear(k, a["direction"], a["origin"], a["travel"]) for k, a in linear.items()},
         tool_point=tuple(float(v) for v in tool_point),
     )
-    return machine, tuple(findings)
+    return machine, tuple(remarks)
 
 
-def _base_frame(place: Place, findings) -> None:
+def _base_frame(place: Node, remarks) -> None:
     frame = place.value.get("kinematics") or {}
     frame = frame.get("base_frame") or {} if isinstance(frame, dict) else {}
     if isinstance(frame, dict) and any(
         frame.get(key, same) != same for key, same in zip(("origin", "orientation_quaternion"), IDENTITY)
     ):
-        findings.append(remark("fcm-base-frame", 0, "warning"))
+        remarks.append(remark("fcm-base-frame", 0, "warning"))
 
 
-def _parent(entry: Place) -> str | None:
+def _parent(entry: Node) -> str | None:
     parent = entry.value.get("parent")
     return parent.upper() if isinstance(parent, str) else None
 
 
-def _axis(name: str, entry: Place) -> dict:
+def _axis(name: str, entry: Node) -> dict:
     role = entry.value.get("role", "table_linear")
     if not isinstance(role, str) or role not in ROLES:
         raise entry["role"].refuse("fcm-role", role=short(role), known=list(ROLES))
@@ -132,7 +132,7 @@ def _axis(name: str, entry: Place) -> dict:
     }
 
 
-def _joint(entry: Place):
+def _joint(entry: Node):
     """(origin, unit direction); both spellings of `joint`, and either order of the list."""
     if "joint" not in entry:
         raise entry.refuse("fcm-no-joint")
@@ -151,7 +151,7 @@ def _joint(entry: Place):
     return tuple(origin), tuple(v / length for v in axis)
 
 
-def _chain(linear, parents, side: str, findings) -> tuple[str, ...]:
+def _chain(linear, parents, side: str, remarks) -> tuple[str, ...]:
     """Axes of one side from the bed outwards: a parent carries its children; then by sequence, then as listed."""
     names = [k for k, a in linear.items() if a["side"] == side]
 
@@ -164,7 +164,7 @@ def _chain(linear, parents, side: str, findings) -> tuple[str, ...]:
 
     keys = {k: (depth(k), linear[k]["sequence"]) for k in names}
     if len(set(keys.values())) < len(names):
-        findings.append(remark("fcm-chain-order", 0, "warning", names=names))
+        remarks.append(remark("fcm-chain-order", 0, "warning", names=names))
     return tuple(sorted(names, key=lambda k: keys[k]))
 
 

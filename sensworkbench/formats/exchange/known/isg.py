@@ -39,13 +39,13 @@ FORMAT = Isg()
 
 def loads(text: str, source: str = "ISG CSV") -> ErrorTables:
     """The tables in `text`; refuses unknown parameters, ragged rows and text where a number belongs, with the line."""
-    functions, constants, findings, seen = [], {}, [], {}
+    functions, constants, remarks, seen = [], {}, [], {}
     for block in _blocks(text):
-        _read_block(block, source, functions, constants, findings, seen)
+        _read_block(block, source, functions, constants, remarks, seen)
     if not functions and not constants:
         raise Refused("tables-empty", source, title=FORMAT.title)
     angles, notes = parameters.squareness_of(constants)
-    return ErrorTables(tuple(functions), angles, tuple(findings + notes))
+    return ErrorTables(tuple(functions), angles, tuple(remarks + notes))
 
 
 def _blocks(text: str):
@@ -60,7 +60,7 @@ def _blocks(text: str):
     yield block
 
 
-def _read_block(block, source, functions, constants, findings, seen) -> None:
+def _read_block(block, source, functions, constants, remarks, seen) -> None:
     if not block:
         return
     head, names = block[0]
@@ -85,9 +85,9 @@ def _read_block(block, source, functions, constants, findings, seen) -> None:
         seen[n] = head
         kind = parameters.kind(n)
         if kind in ("rotary", "kinematic"):
-            findings.append(remark(f"parameter-ignored-{kind}", head, "warning", name=n))
+            remarks.append(remark(f"parameter-ignored-{kind}", head, "warning", name=n))
         elif set(arguments) - set("XYZ"):
-            findings.append(remark("parameter-ignored-argument", head, "warning", name=n))
+            remarks.append(remark("parameter-ignored-argument", head, "warning", name=n))
         elif arguments and (kind == "function" or n in ("C0Y", "A0Z", "B0Z")):
             functions.append(ErrorTable(n, tuple(arguments), points, rows[:, j]))
         elif len(rows) == 1 and kind == "constant":
