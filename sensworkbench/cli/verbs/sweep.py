@@ -19,6 +19,7 @@ from .. import common, executors
 HELP = "one machine in many variants, in one table"
 FILES = "`results.csv`, `pareto.csv`, `report.html`"
 ROWS = "rows.json"
+LARGEST_CHUNK = 1000
 FEWEST, MOST = 16, 256  # variants that one FreeCAD judges before it ends
 
 
@@ -63,6 +64,14 @@ def run(arguments) -> int:
     return common.say_paths(paths)
 
 
+def chunk_of(variants: int, workers: int) -> int:
+    """Variants that a worker gets at a time: few enough that all have work to the end, and many enough that handing
+    them out costs little (docs/sweeps.md)."""
+    from sensworkbench.studies.sweep import CHUNK
+
+    return max(CHUNK, min(LARGEST_CHUNK, variants // (8 * workers)))
+
+
 def _rows(arguments, sweep, start: int, stack: contextlib.ExitStack) -> Iterator:
     """The judged variants from number `start` on; what must be closed afterwards goes on `stack`."""
     from sensworkbench.formats import sweep_files
@@ -71,7 +80,7 @@ def _rows(arguments, sweep, start: int, stack: contextlib.ExitStack) -> Iterator
     if not sweep.document:
         executor, workers = stack.enter_context(executors.executor(arguments))
         judge = FileJudge(sweep_files.machine_of, sweep.data, sweep.paths, sweep.outputs)
-        return run_sweep(sweep, judge, executor, workers, start)
+        return run_sweep(sweep, judge, executor, workers, start, chunk=chunk_of(sweep.size() - start, workers))
     if arguments.scheduler:
         raise Refused("sweep-document-cluster", "--scheduler")
     if common.in_freecad():
