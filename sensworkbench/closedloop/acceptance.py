@@ -20,6 +20,7 @@ from .exchange import between_runs
 from .fit import Fit
 from .freeform import normal_tail
 from .naming import beyond, stand_in, stands_out
+from .noise import slow_drift
 from .problem import State, Step
 from .scan import free_of_scale
 from .search import ScoredTerm, same_place, scored
@@ -188,6 +189,27 @@ def review(state: State) -> State:
         again = replace(again, pool=step.pool, selection=selection(state, others, again.candidate, step.pool))
         beside = [s.candidate for s in (*steps[:i], again, *steps[i + 1 :])]
         steps[i] = replace(again, refused=_refusal(state, again, others, state.fit_with(beside)))
+    return replace(state, steps=tuple(steps))
+
+
+def proved(state: State) -> State:
+    """Refuse names that rest on nothing but slow changes, where something slow that nobody logged is left.
+
+    What wanders goes together with any other slow thing by chance (Granger and Newbold 1974), however well noise of
+    short memory is whitened.  Beside it an effect must show from reading to reading.
+    """
+    named = [s.candidate for s in state.named]
+    if state.drifts or not named:
+        return state
+    p, s = state.problem, state.settings
+    if slow_drift(state.fit_with(named), p.readings, s, s.memory_least, s.wander_score) is None:
+        return state
+    by_steps = replace(state, whitened=True, memory=dict.fromkeys(np.unique(p.readings.kind).tolist(), s.differenced))
+    steps = list(state.steps)
+    for i, step in enumerate(steps):
+        others = [c for c in named if c is not step.candidate]
+        if step.refused is None and judge(by_steps, others, step.candidate).p >= s.alpha:
+            steps[i] = replace(step, refused=Message("refused-wandering"))
     return replace(state, steps=tuple(steps))
 
 

@@ -134,17 +134,20 @@ def lagged(fitted, readings: Readings, lag: int) -> dict[int, float]:
     return out
 
 
-def slow_drift(fitted, readings: Readings, settings) -> int | None:
+def slow_drift(fitted, readings: Readings, settings, least=None, score=None) -> int | None:
     """The number of readings over which residuals are still alike, where that is too long to be noise; else None.
 
     Judged by the correlation of each reading with the one a twentieth of the readings (five at least) before it, per
-    direction: noise of short memory has forgotten by then, and what has not is a drift that is there once.
+    direction: noise of short memory has forgotten by then, and what has not is a drift that is there once.  least,
+    score : other limits than those of the settings, a correlation and standard errors.
     """
+    least, score = settings.remembers if least is None else least, settings.drift_score if score is None else score
     points = readings.points
     lag = max(settings.drift_least, round(settings.drift * points))
     for k, found in lagged(fitted, readings, lag).items():
         count = int(np.count_nonzero((readings.kind == k) & (fitted.weight > 0)))
-        if found > max(settings.remembers, settings.drift_score / np.sqrt(max(count - lag, 1))):
+        limit = max(least, score / np.sqrt(max(count - lag, 1)))
+        if found > limit:
             return lag
     return None
 

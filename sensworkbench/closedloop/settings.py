@@ -125,6 +125,7 @@ class TraceSettings:
     drift: float = _setting(0.05, SHARE, "of the readings: residuals alike over so many are a drift, and no noise")
     drift_least: int = _setting(5, COUNT, "readings that this is at least")
     drift_score: float = _setting(4.0, ERRORS, "that their correlation must be above zero")
+    wander_score: float = _setting(2.5, "standard errors", "of it from which names must show from reading to reading")
     short_blocks: int = _setting(30, COUNT, "blocks of readings where the noise does not remember")
     long_blocks: int = _setting(10, COUNT, "blocks where it does: they must be longer than its memory")
     misfit: float = _setting(0.01, PROBABILITY, "of chi-square, below which the stated u is contradicted")

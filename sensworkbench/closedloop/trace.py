@@ -15,7 +15,7 @@ from ..core.driver import TIME
 from ..core.machine import Machine
 from ..core.workspace import Cancelled
 from ..messages import Refused
-from .acceptance import review
+from .acceptance import proved, review
 from .checks import contradicted
 from .declared import aligned, without_known_effects
 from .design import check_three_axes
@@ -69,7 +69,7 @@ def trace(
     state = straightened(review(state), tell)
     state = consistent(state)
     state = consistent(rescue(state, tell))
-    state = polish(state)
+    state = proved(polish(state))
     left = rest(state)
     if left.structured and not state.drifts:  # any surface of slow columns fits a drift
         whole = without_pieces(state)

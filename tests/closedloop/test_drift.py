@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Traces of a machine that stands still: slow columns beside a drift that nobody logged."""
+"""Slow columns beside a drift that nobody logged: on a machine that stands still, and where the set-up wanders."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
+from benchmarks.study_designs import null
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.joints import linear
@@ -66,3 +67,12 @@ def test_a_room_far_from_20_degrees_is_named_however_well_time_and_lags_follow()
         found = trace(*shop(seed), seed=seed)
         named += [(str(e.effect.driver), e.effect.shape.name) for e in found.effects]
     assert named.count(("temp_room", "linear")) >= 3 and len(named) <= 4
+
+
+@pytest.mark.parametrize("seed", [200001, 200003])
+def test_a_set_up_that_wanders_is_no_temperature(seed):
+    """A random walk in each direction that nobody logged, beside columns that walk at random: no name holds."""
+    case = null("wandering", seed)
+    found = trace(case.machine, case.readings, seed=seed)
+    assert not found.effects and found.verdict == "unexplained"
+    assert any(r.why.code == "refused-wandering" for r in found.refused)
