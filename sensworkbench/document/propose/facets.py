@@ -88,11 +88,11 @@ def _turned(boxes: np.ndarray, turn: np.ndarray, shift: np.ndarray) -> np.ndarra
 class Looker:
     """Looks at shapes, each once, within a time for all.  sampled : how many were looked at in part only.
 
-    seconds : of the processor, so that a busy computer sees the same; half as much again by the clock, and not more.
+    seconds : of the processor, so that a busy computer sees the same; nearly twice as much by the clock, not more.
     """
 
     def __init__(self, seconds: float = 8.0):
-        self.until, self.deadline = time.thread_time() + seconds, time.monotonic() + 1.5 * seconds
+        self.until, self.deadline = time.thread_time() + seconds, time.monotonic() + 1.9 * seconds
         self.known: dict[tuple, list] = {}
         self.sampled = 0
 
