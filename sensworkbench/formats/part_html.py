@@ -19,6 +19,7 @@ from .html import Html
 from .words import Words, position_text
 
 _ROWS = 12  # of a table of shares
+_SHOWN = 5e-4  # a share below it is 0.000
 _BLOCKS = 30
 
 
@@ -95,7 +96,8 @@ class _Report:
 
     def feature(self, data: Mapping, found) -> Html:
         words = self.words
-        ranked = sorted(data["shares"].items(), key=lambda item: -abs(item[1]))[:_ROWS]
+        large = [item for item in data["shares"].items() if abs(item[1]) >= _SHOWN]
+        ranked = sorted(large, key=lambda item: -abs(item[1]))[:_ROWS]
         owner = dict(zip(self.result.labels, self.result.owners))
         largest = max([abs(s) for _, s in ranked], default=1.0)
         rows = [
