@@ -27,6 +27,7 @@ MAX_PER_JOINT = 2_000  # the nodes of a quadrature are eigenvalues: their cost i
 DEFAULT_ORDER = 8
 DEFAULT_GRID = 5
 AFFORDABLE = 40_000  # positions of a default quadrature: five joints
+FEW_ORDER, MOST_JOINTS, FEW = 4, 4, 256
 REPLICATES = 8  # shifted copies of a low-discrepancy set, whose scatter is its error
 PRIMES = (2, 3, 5, 7, 11, 13)
 
@@ -128,6 +129,13 @@ def default_positions(machine: Machine) -> Positions:
     if np.prod(order) <= AFFORDABLE:
         return quadrature(machine, order)
     return low_discrepancy(machine)
+
+
+def few_positions(machine: Machine) -> Positions:
+    """A quadrature of FEW_ORDER per joint, or a set of FEW positions: for means that cost much at each."""
+    if len(machine.joints) <= MOST_JOINTS:
+        return quadrature(machine, FEW_ORDER)
+    return low_discrepancy(machine, FEW)
 
 
 def at(machine: Machine, position) -> Positions:

@@ -17,6 +17,7 @@ from sensworkbench.studies.fleet import FleetEffect, FleetResult, Member, Recurr
 
 from . import html, json_text, machine_json, provenance, readings_csv
 from .files import neutral
+from .trace_json import said
 from .words import Words
 
 FORMAT, VERSION = "sens-fleet", 1
@@ -94,8 +95,7 @@ def _effect(effect: FleetEffect) -> dict:
         "component": effect.component,
         "driver": effect.driver,
         "shape": effect.shape,
-        "title": str(effect.title),
-        "title_message": effect.title.to_dict(),
+        **said("title", effect.title),
         "p": effect.p,
         "amplitude_um": um(effect.amplitude),
         "held": effect.held,
@@ -107,8 +107,7 @@ def _recurring(effect: Recurring) -> dict:
         "component": effect.component,
         "driver": effect.driver,
         "shape": effect.shape,
-        "title": str(effect.title),
-        "title_message": effect.title.to_dict(),
+        **said("title", effect.title),
         "machines": list(effect.machines),
         "amplitude_um": [um(a) for a in effect.amplitudes],
         "median_amplitude_um": median_um(effect),

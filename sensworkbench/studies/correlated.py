@@ -23,7 +23,6 @@ from ..core.synthesis import omega
 from ..core.workspace import Cancelled, Positions, error_table
 
 Progress = Callable[[float], bool]
-ORDER = 4  # positions per joint
 
 
 @dataclass(frozen=True)
@@ -110,13 +109,6 @@ def of_fit(machine: Machine, where: Positions) -> Inputs:
     return Inputs(tuple(symbols), owners, np.zeros(len(keep)), factor @ factor.T, columns)
 
 
-def places(machine: Machine) -> Positions:
-    """Positions over which shares are averaged."""
-    if len(machine.joints) <= 4:
-        return workspace.quadrature(machine, ORDER)
-    return workspace.low_discrepancy(machine, 256)
-
-
 def correlated_study(
     machine: Machine,
     covariance: tuple[Sequence[str], np.ndarray] | None = None,
@@ -127,7 +119,7 @@ def correlated_study(
     covariance : (symbols, matrix in mm and rad) of errors that vary together; None takes that of the machine's fit.
     progress : called with the part done; false cancels.  Refuses a matrix that is no covariance, with a remedy.
     """
-    where = places(machine)
+    where = workspace.few_positions(machine)
     inputs = of_fit(machine, where) if covariance is None else of_tolerances(machine, *covariance, where)
     tell = progress or (lambda part: True)
     bodies = list(dict.fromkeys(inputs.owners))

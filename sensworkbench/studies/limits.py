@@ -23,7 +23,6 @@ from ..core.units import mm, um
 from ..core.workspace import Cancelled, error_table
 
 Progress = Callable[[float], bool]
-ORDER = 4  # positions per joint of the workspace, Gauss-Legendre
 GRID = 5  # positions per joint of the ranges, end points included
 DIAGONAL = 11  # positions on a body diagonal
 MACHINES = 4096  # of which the ranges are taken
@@ -66,13 +65,6 @@ class LimitsResult:
     computed: bool
 
 
-def places(machine: Machine) -> workspace.Positions:
-    """Positions over the workspace that a quantile is taken of."""
-    if len(machine.joints) <= 4:
-        return workspace.quadrature(machine, ORDER)
-    return workspace.low_discrepancy(machine, 256)
-
-
 def columns(machine: Machine, q: np.ndarray, objective: Objective = MeanSquare()) -> np.ndarray:
     """(P, 3, n) weighted Omega of everything that varies."""
     table = error_table(machine)
@@ -93,7 +85,7 @@ def limits_study(
     if any(not 0 < limit < 1e9 for limit in allowed):
         raise Refused("limits-not-positive", "--limit")
     tell = _teller(progress)
-    table, where = error_table(machine), places(machine)
+    table, where = error_table(machine), workspace.few_positions(machine)
     matrix = columns(machine, where.q)
     found = limits.RandomError(matrix, table.laws, where.weights)
     tell(0.2)
@@ -178,5 +170,5 @@ def _along(machine: Machine, x: np.ndarray, start: np.ndarray, end: np.ndarray) 
 
 def quantile_um(machine: Machine, level: float) -> float:
     """The quantile of |T| over workspace and machines, um."""
-    where = places(machine)
+    where = workspace.few_positions(machine)
     return um(limits.RandomError(columns(machine, where.q), error_table(machine).laws, where.weights).value(level))

@@ -123,15 +123,9 @@ def moved(machine: Machine, moves: Mapping[str, np.ndarray]) -> Machine:
     return replace(machine, joints=joints, **others)
 
 
-def _positions(machine: Machine) -> workspace.Positions:
-    if len(machine.joints) <= 4:
-        return workspace.quadrature(machine, 4)
-    return workspace.low_discrepancy(machine, 512)
-
-
 def mean_square(machine: Machine) -> float:
     """E[Y] over the workspace, mm²."""
-    table, where = error_table(machine), _positions(machine)
+    table, where = error_table(machine), workspace.few_positions(machine)
     matrix = table.mixed(omega(machine, table.symbols, where.q))
     law = moments(table.laws)
     each = np.einsum("pan,pan,n->p", matrix, matrix, law.var) + np.square(matrix @ law.mean).sum(axis=1)
@@ -140,7 +134,7 @@ def mean_square(machine: Machine) -> float:
 
 def _judged(machine: Machine) -> np.ndarray:
     """(2 + components,) mean square, variance and shares of the components."""
-    found = workspace.sensitivity(machine, _positions(machine), estimate=False)
+    found = workspace.sensitivity(machine, workspace.few_positions(machine), estimate=False)
     share = dict(zip(found.bodies, found.component_share))
     return np.array([found.mean_square, found.variance, *(share.get(b, 0.0) for b in machine.bodies)])
 
@@ -276,7 +270,7 @@ def orders(machine: Machine) -> tuple[Order, ...]:
 
 def cheapest_step(machine: Machine, costs: Mapping[str, Cost]) -> ToleranceStep | None:
     """The tolerance at which less mean square costs least: cost per mm², for a small step or the next grade."""
-    table, where = error_table(machine), _positions(machine)
+    table, where = error_table(machine), workspace.few_positions(machine)
     matrix = table.mixed(omega(machine, table.symbols, where.q))
     squared = where.weights @ np.einsum("pan,pan->pn", matrix, matrix)
     best = None
