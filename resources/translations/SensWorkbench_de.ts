@@ -79,6 +79,11 @@
       <translation>Alle Achsen auf 0</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>All but the tool</source>
+      <translation>Alle außer dem Werkzeug</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Allocate</source>
       <translation>Verteilen</translation>
@@ -174,6 +179,11 @@
       <translation>Mit einer Maschine beginnen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Best places</source>
+      <translation>Beste Orte</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>Abbrechen</translation>
@@ -189,7 +199,7 @@
       <translation>Zufall durch Rauschen allein</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Change</source>
       <translation>Änderung</translation>
     </message>
@@ -202,6 +212,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Check on the machine</source>
       <translation>An der Maschine zu prüfen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Choose a row under Best places: a slope says which way, not how far.</source>
+      <translation>Eine Zeile unter Beste Orte wählen: Eine Steigung sagt, wohin, aber nicht, wie weit.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
@@ -404,6 +419,11 @@
       <translation>Abweichungen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Every point at its best place when all of them move; click to see</source>
+      <translation>Jeder Punkt an seinem besten Ort, wenn alle verschoben werden; ein Klick zeigt es</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
       <source>Exaggeration</source>
       <translation>Überhöhung</translation>
@@ -599,6 +619,11 @@
       <translation>Nullpunkt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>How far a point may be moved from where it is; the view shows this box</source>
+      <translation>Wie weit ein Punkt von seinem Ort verschoben werden darf; die Ansicht zeigt diesen Kasten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>Wie es gezeigt wird</translation>
@@ -729,9 +754,19 @@
       <translation>Bewegung von {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Move reference points</source>
+      <translation>Bezugspunkte verschieben</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>Maßstab verschieben von</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Moves the chosen reference points, one undo step</source>
+      <translation>Verschiebt die gewählten Bezugspunkte, ein Rückgängig-Schritt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -747,6 +782,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the tool to the place that was clicked in the 3D view</source>
       <translation>Fährt das Werkzeug an die Stelle, die in der 3D-Ansicht angeklickt wurde</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Moving every point</source>
+      <translation>Jeder Punkt wird verschoben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -799,6 +839,11 @@
       <translation>Noch nicht angesehen: {names}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Not moved, because it belongs to a part: {names}</source>
+      <translation>Nicht verschoben, weil an ein Teil gebunden: {names}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Not square as designed: {pairs}</source>
       <translation>Laut Konstruktion nicht rechtwinklig: {pairs}</translation>
@@ -849,6 +894,16 @@
       <translation>Objekte dieses Dokuments sind beschädigt: Sens &gt; Maschine reparieren… behebt das.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>One inch</source>
+      <translation>Ein Zoll</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>One millimetre</source>
+      <translation>Ein Millimeter</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>Eine Position</translation>
@@ -862,6 +917,11 @@
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Open the report</source>
       <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Order of the axes</source>
+      <translation>Achsfolge</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
@@ -944,6 +1004,11 @@
       <translation>Bild…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Point</source>
+      <translation>Punkt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Points</source>
       <translation>Punkte</translation>
@@ -982,6 +1047,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Puts the reference points back</source>
+      <translation>Setzt die Bezugspunkte zurück</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1094,6 +1164,11 @@
       <translation>Rivale</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Room</source>
+      <translation>Spielraum</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>Save as CSV…</source>
       <translation>Als CSV speichern…</translation>
@@ -1127,6 +1202,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>Speichert die 3D-Ansicht mit ihrer Legende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Says what a move of each scale, guide block and of the tool by one millimetre is worth, and where each is best within the room.</source>
+      <translation>Sagt, was eine Verschiebung jedes Maßstabs, jedes Führungswagens und des Werkzeugs um einen Millimeter wert ist und wo jeder Punkt im Spielraum am besten liegt.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1254,6 +1334,11 @@
       <translation>Spindel und Werkzeug</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>Spindle reference</source>
+      <translation>Bezugspunkt der Spindel</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Squareness</source>
       <translation>Rechtwinkligkeit</translation>
@@ -1339,6 +1424,11 @@
       <translation>Unterscheidet: {what}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The document takes this point from a part. Move the part, or choose another point in Edit Machine; the results follow.</source>
+      <translation>Das Dokument nimmt diesen Punkt von einem Teil. Das Teil verschieben oder in Maschine bearbeiten einen anderen Punkt wählen; die Ergebnisse folgen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>The error that the tolerances together may cause</source>
       <translation>Die Abweichung, die alle Toleranzen zusammen verursachen dürfen</translation>
@@ -1364,9 +1454,19 @@
       <translation>Die Maschine hat sich seit dieser Suche geändert. Bitte erneut suchen.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_study.py" />
+      <source>The machine has changed since: compute again.</source>
+      <translation>Die Maschine hat sich seitdem geändert: neu berechnen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The middle of the far end was taken for the side.</source>
       <translation>Statt der Mantelfläche gilt die Mitte des äußeren Endes.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The order of the axes is how the parts carry each other: rebuild the parts, then choose the structure in Edit Machine.</source>
+      <translation>Die Achsfolge ist, wie die Teile einander tragen: die Teile umbauen, dann in Maschine bearbeiten die Struktur wählen.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1384,9 +1484,19 @@
       <translation>Die Messwerte sind</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The reference points are moved; Undo puts them back</source>
+      <translation>Die Bezugspunkte sind verschoben; Rückgängig setzt sie zurück</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>The same for the readings of the fit, µm</source>
       <translation>Dasselbe für die angepassten Messwerte, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The same would cost least at the tolerance of {symbol}: {price} per µm².</source>
+      <translation>Dasselbe wäre am billigsten bei der Toleranz von {symbol}: {price} je µm².</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
@@ -1439,6 +1549,16 @@
       <translation>Das ist die Mitte einer Mantelfläche, nicht ihr Ende: bitte neu übernehmen.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>This point is at its best place already.</source>
+      <translation>Dieser Punkt liegt schon an seinem besten Ort.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>To</source>
+      <translation>Nach</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>To clicked point</source>
       <translation>Zum angeklickten Punkt</translation>
@@ -1469,7 +1589,7 @@
       <translation>Toleranzen von {name}</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/pointers.py" />
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
       <source>Tool point</source>
       <translation>Werkzeugpunkt</translation>
     </message>
@@ -1664,6 +1784,11 @@
       <translation>Fährt ein Tisch nach +X, bewegt sich das Werkzeug am Werkstück nach −X</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Where to move</source>
+      <translation>Wohin verschieben</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it carries no name</source>
       <translation>Warum es keinen Namen trägt</translation>
@@ -1682,6 +1807,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Workpiece and fixture</source>
       <translation>Werkstück und Vorrichtung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>Workpiece reference</source>
+      <translation>Bezugspunkt des Werkstücks</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1742,6 +1872,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Writes trace.json, report.html and the augmented machine</source>
       <translation>Schreibt trace.json, report.html und die ergänzte Maschine</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_study.py" />
+      <source>Writes what was found as a page, and as JSON and CSV</source>
+      <translation>Schreibt das Ergebnis als Seite sowie als JSON und CSV</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/messages.py" />
@@ -1994,6 +2129,11 @@
       <translation>kein Index</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>none: moves are shown without their worth</source>
+      <translation>keine: Verschiebungen stehen ohne ihren Wert</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>normal (Grenzen ±3σ)</translation>
@@ -2057,6 +2197,16 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>rms {before} → {after} µm, at the worst place {worst_before} → {worst_after} µm.</source>
       <translation>rms {before} → {after} µm, am ungünstigsten Ort {worst_before} → {worst_after} µm.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>rms {now} µm; best single move: {name}, {then} µm; all but the tool: {all} µm.</source>
+      <translation>Effektivwert {now} µm; beste einzelne Verschiebung: {name}, {then} µm; alle außer dem Werkzeug: {all} µm.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>rms, µm</source>
+      <translation>rms, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2262,6 +2412,21 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. Bitte die Fragen oben beantworten.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>{name}, lower end</source>
+      <translation>{name}, unteres Ende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>{name}, upper end</source>
+      <translation>{name}, oberes Ende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>{name}: best place, {length} away</source>
+      <translation>{name}: bester Ort, {length} entfernt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2553,6 +2718,19 @@
       <location filename="../../sensworkbench/gui/task_motion.py" />
       <source>Show Motion…</source>
       <translation>Bewegung zeigen…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Moves</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Says what moving a scale, guide block or the tool by a millimetre is worth</source>
+      <translation>Sagt, was ein Millimeter Verschiebung eines Maßstabs, Führungswagens oder des Werkzeugs wert ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Where to Move…</source>
+      <translation>Wohin verschieben…</translation>
     </message>
   </context>
   <context>

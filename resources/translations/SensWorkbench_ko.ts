@@ -79,6 +79,11 @@
       <translation>모든 축을 0으로</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>All but the tool</source>
+      <translation>공구를 뺀 모든 점</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Allocate</source>
       <translation>배분</translation>
@@ -174,6 +179,11 @@
       <translation>기계로 시작하기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Best places</source>
+      <translation>가장 좋은 위치</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Cancel</source>
       <translation>취소</translation>
@@ -189,7 +199,7 @@
       <translation>잡음만으로 나올 확률</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Change</source>
       <translation>변경</translation>
     </message>
@@ -202,6 +212,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Check on the machine</source>
       <translation>기계에서 확인할 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Choose a row under Best places: a slope says which way, not how far.</source>
+      <translation>가장 좋은 위치에서 행을 고르십시오. 기울기는 방향만 말하고 거리는 말하지 않습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
@@ -404,6 +419,11 @@
       <translation>오차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Every point at its best place when all of them move; click to see</source>
+      <translation>모두 옮길 때 각 점의 가장 좋은 위치; 클릭하면 보입니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
       <source>Exaggeration</source>
       <translation>과장 배율</translation>
@@ -599,6 +619,11 @@
       <translation>원점</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>How far a point may be moved from where it is; the view shows this box</source>
+      <translation>점을 현재 위치에서 옮길 수 있는 거리; 화면에 이 상자가 보입니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>표시 방법</translation>
@@ -729,9 +754,19 @@
       <translation>{name}의 움직임</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Move reference points</source>
+      <translation>기준점 옮기기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>스케일 이동 축</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Moves the chosen reference points, one undo step</source>
+      <translation>선택한 기준점을 옮깁니다(실행 취소 한 단계)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -747,6 +782,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the tool to the place that was clicked in the 3D view</source>
       <translation>3D 뷰에서 클릭한 위치로 공구를 옮깁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Moving every point</source>
+      <translation>모든 점을 옮겨 보는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -799,6 +839,11 @@
       <translation>아직 확인하지 않음: {names}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Not moved, because it belongs to a part: {names}</source>
+      <translation>부품에 속하므로 옮기지 않음: {names}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Not square as designed: {pairs}</source>
       <translation>설계상 직각이 아님: {pairs}</translation>
@@ -849,6 +894,16 @@
       <translation>이 문서의 객체가 손상되었습니다: Sens &gt; 기계 복구…로 고칠 수 있습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>One inch</source>
+      <translation>1인치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>One millimetre</source>
+      <translation>1밀리미터</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>One position</source>
       <translation>한 위치</translation>
@@ -862,6 +917,11 @@
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Open the report</source>
       <translation>보고서 열기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Order of the axes</source>
+      <translation>축 순서</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
@@ -944,6 +1004,11 @@
       <translation>그림…</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Point</source>
+      <translation>점</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Points</source>
       <translation>점</translation>
@@ -982,6 +1047,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Puts the reference points back</source>
+      <translation>기준점을 되돌립니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1094,6 +1164,11 @@
       <translation>경쟁 후보</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Room</source>
+      <translation>여유</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>Save as CSV…</source>
       <translation>CSV로 저장…</translation>
@@ -1127,6 +1202,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>범례와 함께 3D 화면을 저장합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Says what a move of each scale, guide block and of the tool by one millimetre is worth, and where each is best within the room.</source>
+      <translation>각 스케일, 안내 블록, 공구를 1밀리미터 옮길 때의 효과와 여유 안에서 가장 좋은 위치를 알려 줍니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1254,6 +1334,11 @@
       <translation>주축과 공구</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>Spindle reference</source>
+      <translation>스핀들 기준점</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Squareness</source>
       <translation>직각도</translation>
@@ -1339,6 +1424,11 @@
       <translation>구별 대상: {what}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The document takes this point from a part. Move the part, or choose another point in Edit Machine; the results follow.</source>
+      <translation>이 점은 문서의 부품에서 가져옵니다. 부품을 옮기거나 기계 편집에서 다른 점을 고르십시오. 결과가 따라갑니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>The error that the tolerances together may cause</source>
       <translation>모든 공차가 함께 일으켜도 되는 오차</translation>
@@ -1364,9 +1454,19 @@
       <translation>추적 뒤 기계가 바뀌었습니다. 다시 추적하십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_study.py" />
+      <source>The machine has changed since: compute again.</source>
+      <translation>그 뒤 기계가 바뀌었습니다: 다시 계산하십시오.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The middle of the far end was taken for the side.</source>
       <translation>옆면 대신 먼 쪽 끝의 중심을 사용했습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The order of the axes is how the parts carry each other: rebuild the parts, then choose the structure in Edit Machine.</source>
+      <translation>축 순서는 부품이 서로를 받치는 방식입니다. 부품을 다시 구성한 뒤 기계 편집에서 구조를 고르십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1384,9 +1484,19 @@
       <translation>측정값은</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The reference points are moved; Undo puts them back</source>
+      <translation>기준점을 옮겼습니다; 되돌리면 원래대로 됩니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>The same for the readings of the fit, µm</source>
       <translation>피팅에 쓴 측정값의 오차, µm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>The same would cost least at the tolerance of {symbol}: {price} per µm².</source>
+      <translation>같은 효과는 {symbol} 공차에서 가장 쌉니다: µm²당 {price}.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
@@ -1439,6 +1549,16 @@
       <translation>옆면의 중심이며 끝이 아닙니다. 다시 가져오십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>This point is at its best place already.</source>
+      <translation>이 점은 이미 가장 좋은 위치에 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>To</source>
+      <translation>방향</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>To clicked point</source>
       <translation>클릭한 점으로</translation>
@@ -1469,7 +1589,7 @@
       <translation>{name}의 공차</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/pointers.py" />
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
       <source>Tool point</source>
       <translation>공구점</translation>
     </message>
@@ -1664,6 +1784,11 @@
       <translation>테이블이 +X로 가면 공구는 공작물에서 −X로 움직입니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Where to move</source>
+      <translation>어디로 옮길까</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it carries no name</source>
       <translation>이름을 붙이지 않은 이유</translation>
@@ -1682,6 +1807,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Workpiece and fixture</source>
       <translation>공작물과 고정구</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>Workpiece reference</source>
+      <translation>공작물 기준점</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -1742,6 +1872,11 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Writes trace.json, report.html and the augmented machine</source>
       <translation>trace.json, report.html과 확장된 기계를 저장합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_study.py" />
+      <source>Writes what was found as a page, and as JSON and CSV</source>
+      <translation>결과를 문서 페이지와 JSON, CSV로 기록합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/messages.py" />
@@ -1994,6 +2129,11 @@
       <translation>지수 없음</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>none: moves are shown without their worth</source>
+      <translation>없음: 이동의 가치는 보이지 않습니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>정규 (한계 ±3σ)</translation>
@@ -2057,6 +2197,16 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>rms {before} → {after} µm, at the worst place {worst_before} → {worst_after} µm.</source>
       <translation>rms {before} → {after} µm, 가장 나쁜 위치 {worst_before} → {worst_after} µm.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>rms {now} µm; best single move: {name}, {then} µm; all but the tool: {all} µm.</source>
+      <translation>rms {now} µm; 가장 좋은 단일 이동: {name}, {then} µm; 공구를 뺀 모두: {all} µm.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>rms, µm</source>
+      <translation>rms, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2262,6 +2412,21 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>{found}. Please answer the questions above.</source>
       <translation>{found}. 위 질문에 답하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>{name}, lower end</source>
+      <translation>{name}, 아래쪽 끝</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>{name}, upper end</source>
+      <translation>{name}, 위쪽 끝</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/move_arrows.py" />
+      <source>{name}: best place, {length} away</source>
+      <translation>{name}: 가장 좋은 위치, {length} 거리</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2553,6 +2718,19 @@
       <location filename="../../sensworkbench/gui/task_motion.py" />
       <source>Show Motion…</source>
       <translation>움직임 보기…</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Moves</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Says what moving a scale, guide block or the tool by a millimetre is worth</source>
+      <translation>스케일, 안내 블록, 공구를 1밀리미터 옮길 때의 효과를 알려 줍니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <source>Where to Move…</source>
+      <translation>어디로 옮길까…</translation>
     </message>
   </context>
   <context>

@@ -94,6 +94,19 @@ def positive(text: str) -> float:
     return value
 
 
+def box(text: str) -> float | tuple[float, ...]:
+    """A finite number above zero, or three that are not below it: X,Y,Z."""
+    if "," not in text:
+        return positive(text)
+    try:
+        sides = tuple(_number(part) for part in text.split(","))
+    except ValueError:
+        sides = ()
+    if len(sides) != 3 or min(sides) < 0 or not 0 < max(sides) < 1e9:
+        raise argparse.ArgumentTypeError(f"{text!r} is not three numbers X,Y,Z, none below zero")
+    return sides
+
+
 # -- arguments that several verbs take ---------------------------------------------------------------------------------
 def add_machine(parser, name: str = "machine", metavar: str = "MACHINE", help: str | None = None) -> None:
     """Add the argument `name`, a file that may be a FreeCAD document: the verb is then run inside FreeCAD."""

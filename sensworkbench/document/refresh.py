@@ -13,7 +13,7 @@ from .base import alive, members, put
 from .extract import Survey, survey
 from .joints import position
 from .paths import PartPath
-from .staleness import TOLERANCE, mark_results, mark_traces, result_inputs
+from .staleness import TOLERANCE, mark_results, mark_studies, mark_traces, result_inputs
 from .tree import all_parts, part_index, parts_of
 
 
@@ -30,6 +30,7 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     except Refused as error:
         put(machine, "Problem", error.message)
         mark_results(machine, "")
+        mark_studies(machine, None)
         _keep(machine, None, error)
         return None
     core = found.core
@@ -51,6 +52,7 @@ def refresh(machine, seen: Survey | None = None) -> Survey | None:
     inputs = result_inputs(machine, core, found.home_arms)
     put(machine, "Inputs", inputs)
     mark_results(machine, inputs)
+    mark_studies(machine, core, found.home_arms)
     mark_traces(machine, core, found.home_arms)
     _keep(machine, found)
     return found

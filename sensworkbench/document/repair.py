@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from ..core.errors import AXES, COMPONENTS, canonical
 from ..messages import Refused
-from . import closed_loop, objects, tables
+from . import closed_loop, objects, studies, tables
 from .base import SensObject, alive, dress, kind_of, made_by_newer, members, numbers, put
 from .factory import make_tolerances
 from .paths import place, places
@@ -22,7 +22,7 @@ from .tree import bodies, machines, owner_machine, tolerances_of
 
 CLASSES = {
     c.kind: c
-    for module in (objects, closed_loop)
+    for module in (objects, closed_loop, studies)
     for c in vars(module).values()
     if isinstance(c, type) and issubclass(c, SensObject) and c.kind
 }
@@ -127,7 +127,7 @@ def _examine(obj):
             was = obj.getTypeIdOfProperty(p.name).replace("App::Property", "")
             yield Problem(obj, Refused("problem-property-type", name=p.name, found=was, wanted=p.kind), False)
     look = {"Machine": _machine, "Axis": _axis, "Body": _body, "Tolerances": _table, "Sensitivity": _result,
-            "Effect": _effect}.get(cls.kind)  # fmt: skip
+            "Effect": _effect, "Study": _study}.get(cls.kind)  # fmt: skip
     if look is not None and not missing:
         yield from look(obj)
 
@@ -150,6 +150,11 @@ def _machine(obj):
         yield from _links(obj, "ToolPoint", [obj.ToolPoint])
     else:
         yield Problem(obj, Refused("problem-no-tool-point"), False)
+
+
+def _study(obj):
+    for name in ("Settings", "Data"):
+        yield from _json(obj, name)
 
 
 def _axis(obj):

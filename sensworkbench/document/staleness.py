@@ -29,11 +29,27 @@ def result_inputs(machine, core: Machine, arms=None) -> str:
     words = [core.structure, core.squareness, told.objective_data(machine.Objective), machine.Aggregate]
     values = _geometry(core, arms)
     values += {"quadrature": [machine.Order], "grid": [machine.Grid], "at": list(machine.At)}.get(machine.Aggregate, [])
+    more = _varying(core)
+    return json.dumps([words + more[0], values + more[1]], sort_keys=True)
+
+
+def study_inputs(core: Machine, arms=None) -> str:
+    """JSON of all of a machine that a study of its errors depends on; its points are in the frame of the document.
+
+    arms : lever arms with all joints at 0, where the caller has them.
+    """
+    more = _varying(core)
+    values = [*_geometry(core, arms), *core.frame.ravel().tolist(), *more[1]]
+    return json.dumps([[core.structure, core.squareness, *more[0]], values], sort_keys=True)
+
+
+def _varying(core: Machine) -> tuple[list, list[float]]:
+    """(words, values) of all that varies: tolerances and effects."""
+    words, values = [], []
     for symbol, t in core.all_tolerances.items():
         words += [symbol, t.distribution]
         values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
-    words += [_effect(e, core) for e in core.effects if e.enabled]
-    return json.dumps([words, values], sort_keys=True)
+    return words + [_effect(e, core) for e in core.effects if e.enabled], values
 
 
 def with_objective(inputs: str, objective: Objective) -> str:
@@ -104,6 +120,12 @@ def mark_results(machine, inputs: str) -> None:
     """Set `Stale` of the machine's results.  inputs : `result_inputs` of the machine as it is, "" where it has none."""
     for obj in members(machine, "Sensitivity"):
         put(obj, "Stale", not same(obj.Inputs, inputs))
+
+
+def mark_studies(machine, core: Machine | None, arms=None) -> None:
+    """Set `Stale` of the machine's further studies.  core : None where the machine cannot be computed."""
+    for obj in members(machine, "Study"):
+        put(obj, "Stale", core is None or not same(obj.Inputs, study_inputs(core, arms)))
 
 
 def mark_traces(machine, core: Machine, arms=None) -> None:

@@ -16,6 +16,7 @@ from sensworkbench.studies.moves import (
     Change,
     MovesResult,
     PointMoves,
+    box_text,
     per_mm_percent,
     per_um2,
     um2,
@@ -40,7 +41,7 @@ def to_dict(result: MovesResult) -> dict:
         "machine": {"name": machine.name, "structure": machine.structure},
         "mean_square_um2": um2(result.mean_square),
         "rms_um": um(result.mean_square**0.5),
-        "within_mm": result.within,
+        "within_mm": result.within[0] if len(set(result.within)) == 1 else list(result.within),
         "points": [_point(result, p) for p in result.points],
         "travel": [_travel(result, t) for t in result.travel],
         "together": {
@@ -109,11 +110,11 @@ def report(result: MovesResult, language: str = "en") -> str:
     """The page: what each point's move changes, the best places within the box, and the orders of the axes."""
     words, machine = Words(language), result.machine
     rms = um(result.mean_square**0.5)
-    best = min(result.points, key=lambda p: p.rms_best)
+    best, room = min(result.points, key=lambda p: p.rms_best), box_text(result.within)
     tiles = [
         (f"{rms:.3g} µm", words("moves-rms")),
-        (f"{um(best.rms_best):.3g} µm", words("moves-best", point=_name(words, best.name), within=result.within)),
-        (f"{um(result.rms_together):.3g} µm", words("moves-together", within=result.within)),
+        (f"{um(best.rms_best):.3g} µm", words("moves-best", point=_name(words, best.name), within=room)),
+        (f"{um(result.rms_together):.3g} µm", words("moves-together", within=room)),
     ]
     if result.orders:
         first = result.orders[0]

@@ -15,6 +15,7 @@ from . import settings
 from .arrows import Arrows
 from .colormap import MAPS
 from .colours import restore
+from .command import REGISTRY
 from .display import sliding_axes, update
 from .errormap import ErrorMap
 from .legend import Legend
@@ -148,6 +149,19 @@ class ViewProviderSensitivity(ViewProviderSens):
             self._waiting = False  # what the update itself has stored asks for no second one
 
 
+class ViewProviderStudy(ViewProviderSens):
+    """A further study; a double click shows what it found in its panel."""
+
+    @property
+    def icon(self):
+        """The icon of the command whose panel shows the study."""
+        names = self.entries(self.object) if self.object is not None else []
+        return names[0] if names else "Sens_Sensitivity"
+
+    def entries(self, obj):
+        return [c.name for c in REGISTRY.values() if getattr(c, "study", None) == obj.Study] or super().entries(obj)
+
+
 _SHOWN = {
     "Coloured",
     "Stale",
@@ -165,6 +179,7 @@ PROVIDERS = {
     "Tolerances": ViewProviderTolerances,
     "Sensitivity": ViewProviderSensitivity,
     "Effect": ViewProviderEffect,
+    "Study": ViewProviderStudy,
 }
 
 

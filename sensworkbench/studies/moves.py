@@ -11,7 +11,7 @@ ten digits.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -86,13 +86,14 @@ class ToleranceStep:
 
 @dataclass(frozen=True)
 class MovesResult:
-    """machine; mean_square (mm²) and variance (mm⁴) over the workspace; within (mm): half side of the box of `best`;
-    together : point -> move (3,) with all points moved, and the rms (mm) then.  step : where costs are given."""
+    """machine; mean_square (mm²) and variance (mm⁴) over the workspace; within (mm): half sides of the box of `best`
+    along x, y and z; together : point -> move (3,) with all points moved, and the rms (mm) then.  step : where costs
+    are given."""
 
     machine: Machine
     mean_square: float
     variance: float
-    within: float
+    within: tuple[float, float, float]
     points: tuple[PointMoves, ...]
     travel: tuple[TravelMoves, ...]
     together: Mapping[str, np.ndarray]
@@ -170,41 +171,46 @@ def _quadratic(machine: Machine, names) -> tuple[np.ndarray, np.ndarray]:
     return gradient, hessian
 
 
-def best_in_box(gradient: np.ndarray, hessian: np.ndarray, within: float) -> np.ndarray:
+def best_in_box(gradient: np.ndarray, hessian: np.ndarray, within) -> np.ndarray:
     """The move in [-within, within] per coordinate that minimises gᵀx + xᵀHx/2, H positive semidefinite.
+
+    within : of all coordinates, or one number for each.
 
     Coordinate by coordinate, which for a convex function over a box ends in its minimum; a coordinate that changes
     nothing stays.
     """
     x = np.zeros(len(gradient))
+    sides = np.broadcast_to(np.asarray(within, dtype=float), x.shape)
+    widest = float(sides.max(initial=0.0))
     flat = 1e-12 * max(float(np.abs(hessian).max(initial=0.0)), 1e-300)
     for _ in range(SWEEPS):
         before = x.copy()
         for i in range(len(x)):
             slope = gradient[i] + hessian[i] @ x - hessian[i, i] * x[i]
             if hessian[i, i] > flat:
-                x[i] = np.clip(-slope / hessian[i, i], -within, within)
-            elif abs(slope) > flat * within:
-                x[i] = -within * np.sign(slope)
-        if np.abs(x - before).max(initial=0.0) < 1e-9 * within:
+                x[i] = np.clip(-slope / hessian[i, i], -sides[i], sides[i])
+            elif abs(slope) > flat * widest:
+                x[i] = -sides[i] * np.sign(slope)
+        if np.abs(x - before).max(initial=0.0) < 1e-9 * widest:
             break
-    return np.where(np.abs(x) < 1e-9 * within, 0.0, x)
+    return np.where(np.abs(x) < 1e-9 * widest, 0.0, x)
 
 
 # -- the study ---------------------------------------------------------------------------------------------------------
 def moves_study(
     machine: Machine,
-    within: float = 50.0,
+    within: float | Sequence[float] = 50.0,
     costs: Mapping[str, Cost] | None = None,
     progress: Progress | None = None,
 ) -> MovesResult:
     """Derivatives by every point and travel, the best places within a box, and the best order of the axes.
 
-    within : half side of the box, mm.  costs : of tolerances, widths in mm or rad.  progress : called with the part
-    done; false cancels.  Refuses a box that is not above zero.
+    within : half side of the box, mm, or one for each of x, y and z (0: no move along it).  costs : of tolerances,
+    widths in mm or rad.  progress : called with the part done; false cancels.  Refuses a box that is not above zero.
     """
-    if not 0 < within < 1e6:
-        raise Refused("moves-box", "--within", within=within)
+    sides = np.broadcast_to(np.asarray(within, dtype=float), 3)
+    if not (np.all(sides >= 0) and 0 < sides.max() < 1e6):
+        raise Refused("moves-box", "--within", within=box_text(sides))
     names = list(points_of(machine))
     work, done = 2 * len(names) + len(machine.joints) + 2, itertools.count(1)
 
@@ -220,7 +226,7 @@ def moves_study(
             _change(machine, lambda d, n=name, a=axis: moved(machine, {n: d * np.eye(3)[a]}), "mm") for axis in range(3)
         )
         tell()
-        best = best_in_box(*_quadratic(machine, [name]), within)
+        best = best_in_box(*_quadratic(machine, [name]), sides)
         worth = None if step is None else step.price * np.abs([c.mean_square for c in changes])
         rms = float(np.sqrt(mean_square(moved(machine, {name: best}))))
         points.append(PointMoves(name, at, changes, best, rms, worth))
@@ -237,12 +243,12 @@ def moves_study(
             travel.append(TravelMoves(joint.name, low, high))
         tell()
     free = [n for n in names if n != TOOL]
-    all_best = best_in_box(*_quadratic(machine, free), within).reshape(-1, 3)
+    all_best = best_in_box(*_quadratic(machine, free), np.tile(sides, len(free))).reshape(-1, 3)
     together = dict(zip(free, all_best))
     tell()
     found = _judged(machine)
     result = MovesResult(
-        machine, present, float(found[1]), within, tuple(points), tuple(travel), together,
+        machine, present, float(found[1]), tuple(sides.tolist()), tuple(points), tuple(travel), together,
         float(np.sqrt(mean_square(moved(machine, together)))), orders(machine), step,
     )  # fmt: skip
     tell()
@@ -300,6 +306,12 @@ def _price(cost: Cost, half: float, load: float) -> float | None:
         return None
     paid = min((g.cost for g in now), default=0.0)
     return min(max(g.cost - paid, 0.0) / (load * (half**2 - g.w**2)) for g in tighter)
+
+
+def box_text(sides) -> str:
+    """Half sides of a box as text: `50`, or `0, 0, 100` where they differ."""
+    texts = [f"{v:g}" for v in sides]
+    return texts[0] if len(set(texts)) == 1 else ", ".join(texts)
 
 
 def per_mm_percent(result: MovesResult, change: Change) -> float:

@@ -109,7 +109,7 @@ def language(request):
     Gui.setLocale("English")
 
 
-@pytest.mark.parametrize("command", ["Sens_EditMachine", "Sens_Tolerances", "Sens_Jog", "Sens_Allocate"])
+@pytest.mark.parametrize("command", ["Sens_EditMachine", "Sens_Tolerances", "Sens_Jog", "Sens_Allocate", "Sens_Moves"])
 def test_panels_of_a_machine(machine, machine_doc, language, command):
     run("Sens_Sensitivity")
     review.hide()

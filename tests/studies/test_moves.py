@@ -99,6 +99,20 @@ def test_the_best_place_is_that_of_a_general_optimiser():
     assert best_in_box(np.zeros(3), np.zeros((3, 3)), 1.0).tolist() == [0, 0, 0]
 
 
+def test_a_box_may_have_three_sides(tmp_path):
+    wide = {p.name: p for p in moves_study(VMC, (0, 0, 30)).points}
+    narrow = {p.name: p for p in moves_study(VMC, 30).points}
+    assert np.all(wide["Z"].best[:2] == 0) and abs(wide["Z"].best[2]) == pytest.approx(30)
+    assert narrow["Z"].rms_best < wide["Z"].rms_best < mean_square(VMC) ** 0.5
+    out = str(tmp_path / "one")
+    words = ["moves", str(EXAMPLES / "vertical_machining_centre.json"), "--out", out, "--within"]
+    assert cli.main([*words, "0,0,30"]) == 0
+    data = json.loads((tmp_path / "one" / "moves.json").read_text(encoding="utf-8"))
+    assert faults("moves", data) == [] and data["within_mm"] == [0, 0, 30]
+    for wrong in ("0,0,0", "1,2", "1,-2,3", "a,b,c"):
+        assert cli.main([*words, wrong]) == 2
+
+
 def test_orders_are_all_and_the_machine_is_one_of_them():
     result = moves_study(VMC, costs=costs_csv.load(EXAMPLES / "costs.csv", VMC))
     found = {o.structure: o.rms for o in result.orders}

@@ -12,8 +12,8 @@ FILES = "`moves.json`, `moves.csv`, `report.html`"
 def add(parser) -> None:
     common.add_machine(parser)
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
-    text = "how far each point may be moved along x, y and z (default 50)"
-    parser.add_argument("--within", metavar="MM", type=common.positive, default=50.0, help=text)
+    text = "how far each point may be moved: along x, y and z alike, or X,Y,Z (default 50)"
+    parser.add_argument("--within", metavar="MM", type=common.box, default=50.0, help=text)
     text = "what each tolerance costs, as for allocate: moves are then worth money too"
     parser.add_argument("--costs", metavar="COSTS.csv", help=text)
     common.add_language(parser)
