@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
 
 from sensworkbench.closedloop.readings import Readings
+from sensworkbench.core.contact import Cutter, Face
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.toolpath import STEP_MM, ToolPath
@@ -23,6 +24,7 @@ from sensworkbench.studies.part_correct import (
     known_uncertainty,
     value_under,
 )
+from sensworkbench.studies.part_faces import Faced, on_faces
 from sensworkbench.studies.part_path import RAPID_MM_MIN, Conditions, of_moves, of_points
 from sensworkbench.studies.remaining import remaining
 
@@ -57,7 +59,8 @@ class Options:
 
 @dataclass(frozen=True)
 class Job:
-    """Everything a part study needs.  program : of a G-code path, else None.  source : for part.json."""
+    """Everything a part study needs.  program : of a G-code path, else None.  source : for part.json.  faced : the
+    faces of a solid that the path cuts; assign : a path -> the same with its points on these faces."""
 
     machine: Machine
     path: ToolPath
@@ -66,19 +69,35 @@ class Job:
     options: Options
     program: gcode.Program | None = None
     source: dict = field(default_factory=dict)
+    faced: Faced | None = None
+    assign: Callable[[ToolPath], ToolPath] | None = None
 
 
 @dataclass(frozen=True)
 class Given:
-    """A program from a document.  data : its bytes.  offset : of G54 per joint, or None.  tools : number -> Tool."""
+    """A program from a document.  data : its bytes.  offset : of G54 per joint, or None.  tools : number -> Tool.
+
+    faces : of the solid that is made, in the coordinates of the program.  cutters : tool number -> its shape.
+    """
 
     data: bytes
     offset: tuple[float, ...] | None = None
     tools: Mapping[int, gcode.Tool] = field(default_factory=dict)
+    faces: tuple[Face, ...] = ()
+    cutters: Mapping[int, Cutter] = field(default_factory=dict)
 
 
-def read(machine: Machine, path, options: Options = Options(), given: Given | None = None) -> Job:
-    """The job of the files that are named; refuses what cannot be understood.  given : in place of the path's file."""
+def read(
+    machine: Machine,
+    path,
+    options: Options = Options(),
+    given: Given | None = None,
+    progress: Callable[[float], bool] | None = None,
+) -> Job:
+    """The job of the files that are named; refuses what cannot be understood.  given : in place of the path's file.
+
+    progress : called with the part done of the search for faces; a false answer cancels.
+    """
     joints = machine.joints
     file = features_json.load(options.features, joints) if options.features else features_json.FeatureFile()
     conditions = path_csv.load_conditions(options.conditions, joints) if options.conditions else Conditions()
@@ -86,6 +105,7 @@ def read(machine: Machine, path, options: Options = Options(), given: Given | No
     conditions = replace(conditions, held=held)
     limits = [_limit(text) for text in options.limits]
     source: dict = {"path": Path(path).name}
+    faced = assign = None
     if Path(path).suffix.lower() in TABLES:
         points = path_csv.load(path, joints)
         features, labels = features_json.of_points(file, points.labels, points.features, points.positions.line)
@@ -105,8 +125,31 @@ def read(machine: Machine, path, options: Options = Options(), given: Given | No
         made, step = of_moves(machine, program.moves, conditions, rows, options.step, rapid=options.rapid)
         source |= {"unread_words": program.unread, "assumed": program.assumed, "remarks": program.remarks}
         source["settings"] = {"step_mm": part_json.number(step), "rapid_mm_min": options.rapid}
+        if given is not None and given.faces:
+            cutters = _cutters(given, program, settings.tools)
+
+            def faced_of(one: ToolPath, progress=None) -> Faced:
+                xyz = program.moves.xyz
+                return on_faces(machine, one, given.faces, cutters, program.tool[one.move], xyz, progress=progress)
+
+            faced = faced_of(made, progress)
+            made, assign = faced.path, lambda one: faced_of(one).path
+            features = features or faced.features
+            source["remarks"] = [*program.remarks, *faced.remarks]
     request = PartRequest(_limited(features, limits), errors=options.errors)
-    return Job(machine, made, request, conditions, options, program, source)
+    return Job(machine, made, request, conditions, options, program, source, faced, assign)
+
+
+def _cutters(given: Given, program: gcode.Program, tools: Mapping[int, gcode.Tool]) -> dict[int, Cutter]:
+    """Tool number -> its shape: of the document, unless the features file or the command line states a radius."""
+    found = dict(given.cutters)
+    for number, tool in tools.items():
+        if tool.radius and tool != given.tools.get(number):
+            old = given.cutters.get(number, Cutter(tool.radius))
+            corner = tool.radius if tool.ball else min(old.corner, tool.radius)
+            found[number] = Cutter(tool.radius, corner, old.drill)
+    used = set(program.tool.tolist())
+    return {number: cutter for number, cutter in found.items() if number in used}
 
 
 def _limited(features, limits) -> tuple[FeatureRequest, ...]:
@@ -166,9 +209,12 @@ def correction_of(job: Job) -> Correction:
     if job.options.errors == "tolerances":
         raise Refused("part-correct-errors", "--correct")
     program, path, options = job.program, job.path, job.options
-    labels = {name: np.unique(path.move[rows]) for name, rows in path.labels.items()}
+    of_faces = () if job.faced is None else [f.name for f in job.faced.faces]
+    labels = {name: np.unique(path.move[rows]) for name, rows in path.labels.items() if name not in of_faces}
     sizes = options.correct_tolerance, options.correct_limit
-    return correction(job.machine, program.moves, gcode.kept(program), job.conditions, *sizes, labels, options.rapid)
+    return correction(
+        job.machine, program.moves, gcode.kept(program), job.conditions, *sizes, labels, options.rapid, job.assign
+    )
 
 
 def corrected(job: Job) -> tuple[bytes, dict]:

@@ -56,10 +56,12 @@ def correction(
     limit: float = LIMIT_MM,
     features: Mapping[str, Sequence[int]] | None = None,
     rapid: float = RAPID_MM_MIN,
+    assign: Callable[[ToolPath], ToolPath] | None = None,
 ) -> Correction:
     """The moves corrected for the fitted errors and effects of a machine.
 
     kept : (M,) moves that stay as they are.  tolerance : mm.  limit : mm, no point is moved further.
+    assign : of the path by which the correction is judged: its points to the faces that they cut.
     Refuses machines with rotary joints or without X, Y, Z, and machines of which nothing is fitted.
     """
     if min(moves.xyz) < 0 or not all(j.slides for j in machine.joints):
@@ -88,6 +90,7 @@ def correction(
         points.append(contour[rows] + moved[rows])
         fractions.append(path.fraction[rows])
     twice, _ = of_moves(machine, moves, conditions, features, rapid=rapid, number=2 * number)
+    twice = twice if assign is None else assign(twice)
     before, after = left_by(lambda p: _errors(machine, p), machine, moves, twice, points, fractions)
     return Correction(points, fractions, float(np.minimum(size, limit).max()), int(over.sum()), before, after, twice)
 

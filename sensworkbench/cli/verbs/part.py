@@ -17,6 +17,8 @@ def add(parser) -> None:
     parser.add_argument("path", metavar="PATH", nargs="?", default="", help=text)
     parser.set_defaults(documents=(*parser.get_default("documents"), "path"))
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    text = "label of the solid that is made, in the document (default: the model of the job): its faces become features"
+    parser.add_argument("--model", metavar="LABEL", default="", help=text)
     parser.add_argument("--features", metavar="FILE", help="features.json: features, work offsets, tools")
     parser.add_argument("--conditions", metavar="FILE", help="table of conditions along the path")
     text = "a condition that keeps one value, such as temp_column_C=24"
@@ -45,13 +47,14 @@ def add(parser) -> None:
 def _of_document(arguments, machine):
     """The program of a document that was given as the path, or None."""
     if not common.is_document(arguments.path):
+        if arguments.model:
+            raise Refused("part-model-without-document", "--model")
         return None
     from sensworkbench.document import cam_path
-    from sensworkbench.formats.part_files import Given
 
-    found = cam_path.load(arguments.path)
+    found = cam_path.load(arguments.path, arguments.model)
     together = common.is_document(arguments.machine) and common.same_file(arguments.machine, arguments.path)
-    return Given(found.text.encode("latin-1", "replace"), cam_path.offset(machine) if together else None, found.tools)
+    return cam_path.given(found, machine if together else None)
 
 
 def run(arguments) -> int:
