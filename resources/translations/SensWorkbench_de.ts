@@ -194,6 +194,11 @@
       <translation>Abgebrochen; nichts wurde geändert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Catalogue</source>
+      <translation>Katalog</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Chance by noise alone</source>
       <translation>Zufall durch Rauschen allein</translation>
@@ -577,6 +582,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Grade</source>
       <translation>Güte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Grades of guides, screws and scales for straightness and positioning; the rest as before</source>
+      <translation>Klassen von Führungen, Gewindetrieben und Maßstäben für Geradheit und Positionierung; alles andere wie zuvor</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -2077,6 +2087,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>eingefroren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>grades of the catalogue; costs relative to the present tolerances</source>
+      <translation>Klassen des Katalogs; Kosten bezogen auf die jetzigen Toleranzen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />

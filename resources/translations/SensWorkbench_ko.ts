@@ -194,6 +194,11 @@
       <translation>취소됨; 바뀐 것이 없습니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Catalogue</source>
+      <translation>목록</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Chance by noise alone</source>
       <translation>잡음만으로 나올 확률</translation>
@@ -577,6 +582,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Grade</source>
       <translation>등급</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Grades of guides, screws and scales for straightness and positioning; the rest as before</source>
+      <translation>진직도와 위치 결정에 대한 안내면, 볼나사, 스케일의 등급; 나머지는 전과 같음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -2077,6 +2087,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>고정</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>grades of the catalogue; costs relative to the present tolerances</source>
+      <translation>목록의 등급; 비용은 현재 공차에 대한 상대값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />

@@ -18,6 +18,7 @@ from .units import um
 
 GAP = 1e-7  # relative distance of cost and bound at which the convex problem is solved
 ROUNDS = 60  # of adding the worst position
+SWEEPS = 200  # over the prices of the positions
 BRANCHES = 20_000
 
 
@@ -115,11 +116,11 @@ class Allocation:
         return (self.cost - self.bound) / max(abs(self.cost), 1e-300)
 
 
-def allocate(problem: Problem, progress: Callable[[float], bool] | None = None) -> Allocation:
+def allocate(problem: Problem, progress: Callable[[float], bool] | None = None, branches: int = BRANCHES) -> Allocation:
     """The cheapest choice that meets every limit.  Refuses where even the tightest tolerances do not.
 
     progress : called with the part done, for grades; a false answer ends the search with the best choice so far, whose
-    gap says how far it may be from the cheapest.
+    gap says how far it may be from the cheapest; so do more than `branches` parts of the search.
     """
     tightest = np.array([c.grades[0].w if isinstance(c, GradeCost) else c.lower for c in problem.costs])
     missing = problem.error(tightest) - problem.limit
@@ -132,39 +133,65 @@ def allocate(problem: Problem, progress: Callable[[float], bool] | None = None) 
     choices = [tuple(range(len(c.grades))) if isinstance(c, GradeCost) else None for c in problem.costs]
     if all(c is None for c in choices):
         return _continuous(problem)
-    return _branch_and_bound(problem, choices, progress)
+    return _branch_and_bound(problem, choices, progress, branches)
 
 
 # -- the dual ----------------------------------------------------------------------------------------------------------
 class _Dual:
-    """min over the widths of cost + sum_p price_p (load_p w² - room_p): concave in the prices, solved per error."""
+    """min over the widths of cost + sum_p price_p (load_p w² - room_p): concave in the prices, solved per error.
+
+    choices (n): numbers of the grades that are allowed, or None for a curve.
+    """
 
     def __init__(self, problem: Problem, choices):
         self.problem, self.choices = problem, choices
         self.room = problem.room()
+        costs = problem.costs
+        self.curves = np.array([i for i, a in enumerate(choices) if a is None], dtype=int)
+        self.c, self.k, self.lower, self.upper = (
+            np.array([getattr(costs[i], name) for i in self.curves]) for name in ("c", "k", "lower", "upper")
+        )
+        self.graded = np.array([i for i, a in enumerate(choices) if a is not None], dtype=int)
+        most = max((len(choices[i]) for i in self.graded), default=0)
+        shape = (len(self.graded), most)
+        self.number, self.price = np.zeros(shape, dtype=int), np.full(shape, np.inf)
+        self.width = np.zeros(shape)
+        for row, i in enumerate(self.graded):
+            for column, g in enumerate(choices[i]):
+                grade = costs[i].grades[g]
+                self.number[row, column] = g
+                self.width[row, column], self.price[row, column] = grade.w, grade.cost
+        self.square = self.width**2
 
     def at(self, rows, prices):
         """(value, half widths, grades) at prices of the places `rows`; the hull of grades is taken."""
         weights = prices @ self.problem.load[rows]
-        widths, grades, value = np.empty(len(weights)), [], -float(prices @ self.room[rows])
-        for i, (cost, price) in enumerate(zip(self.problem.costs, weights)):
-            if self.choices[i] is None:
-                widths[i] = cost.best(float(price))
-                grades.append(None)
-                value += cost.cost(widths[i]) + price * widths[i] ** 2
-            else:
-                g = cost.best(float(price), self.choices[i])
-                widths[i], value = cost.grades[g].w, value + cost.grades[g].cost + price * cost.grades[g].w ** 2
-                grades.append(g)
+        widths, grades = np.empty(len(weights)), [None] * len(weights)
+        value = -float(prices @ self.room[rows])
+        if len(self.curves):
+            w = weights[self.curves]
+            with np.errstate(divide="ignore", over="ignore"):
+                found = (self.k * self.c / (2 * np.maximum(w, 0))) ** (1 / (self.k + 2))
+            found = np.where(w > 0, np.clip(found, self.lower, self.upper), self.upper)
+            widths[self.curves] = found
+            value += float((self.c / found**self.k + w * found**2).sum())
+        if len(self.graded):
+            worth = self.price + weights[self.graded][:, None] * self.square
+            best = worth.argmin(axis=1)
+            every = np.arange(len(best))
+            value += float(worth[every, best].sum())
+            for i, g in zip(self.graded.tolist(), self.number[every, best].tolist()):
+                grades[i] = g
+            widths[self.graded] = self.width[every, best]
         return value, widths, grades
 
 
-def _maximised(dual: _Dual, rows, start) -> tuple[float, np.ndarray, np.ndarray, list]:
+def _maximised(dual: _Dual, rows, start, sweeps: int = SWEEPS) -> tuple[float, np.ndarray, np.ndarray, list]:
     """Prices (>= 0) that maximise the dual over the places `rows`, coordinate by coordinate with a bisection each."""
     prices = np.array(start, dtype=float)
     load, room = dual.problem.load[rows], dual.room[rows]
     best = dual.at(rows, prices)
-    for _ in range(200):
+    for _ in range(sweeps):
         before = best[0]
         for p in range(len(rows)):
             prices[p] = _bisected(dual, rows, prices, p, load[p], room[p])
@@ -234,18 +261,21 @@ def _bisected(dual, rows, prices, p, load, room) -> float:
     return high
 
 
-def _solved(problem: Problem, choices) -> tuple[float, np.ndarray, np.ndarray, list]:
-    """(bound, prices (P,), widths, grades) of the relaxed problem: places are added as they are violated most."""
+def _solved(problem: Problem, choices, rounds: int = ROUNDS, sweeps: int = SWEEPS):
+    """(bound, prices (P,), widths, grades) of the relaxed problem: places are added as they are violated most.
+
+    Fewer rounds and sweeps give a bound that is lower than need be.
+    """
     dual = _Dual(problem, choices)
     rows, prices = [], np.zeros(0)
     value, widths, grades = dual.at(np.array([], dtype=int), prices)
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         excess = (problem.error(widths) - problem.limit) / np.maximum(np.abs(dual.room), 1e-300)
         worst = int(np.argmax(excess))
         if excess[worst] <= GAP or worst in rows:
             break
         rows.append(worst)
-        value, prices, widths, grades = _maximised(dual, np.array(rows), np.append(prices, 0.0))
+        value, prices, widths, grades = _maximised(dual, np.array(rows), np.append(prices, 0.0), sweeps)
     full = np.zeros(len(problem.limit))
     full[rows] = prices
     return value, full, widths, grades
@@ -276,7 +306,7 @@ def _tightened(problem: Problem, widths) -> np.ndarray:
 
 
 # -- grades ------------------------------------------------------------------------------------------------------------
-def _branch_and_bound(problem: Problem, choices, progress) -> Allocation:
+def _branch_and_bound(problem: Problem, choices, progress, branches: int) -> Allocation:
     """Depth first, the cheaper side first; what the dual says cannot beat the best choice so far is left out."""
     best: tuple[float, np.ndarray, list] | None = None
     root = _solved(problem, choices)
@@ -286,7 +316,8 @@ def _branch_and_bound(problem: Problem, choices, progress) -> Allocation:
         if best is not None and bound >= best[0] - GAP * abs(best[0]):
             continue
         visited += 1
-        if visited > BRANCHES or (progress is not None and visited % 50 == 0 and not progress(visited / BRANCHES)):
+        stopped = progress is not None and visited % 50 == 0 and not progress(visited / branches)
+        if best is not None and (visited > branches or stopped):
             open_bounds = [bound, *(b for b, _, _ in stack)]
             break
         candidate = _repaired(problem, allowed, widths, grades)
@@ -320,28 +351,30 @@ def _branch_and_bound(problem: Problem, choices, progress) -> Allocation:
 
 def _repaired(problem: Problem, allowed, widths, grades):
     """(cost, widths, grades) of a choice that meets the limits: the widest grade is tightened where it buys most."""
-    widths, grades = widths.copy(), list(grades)
-    while np.any(problem.error(widths) > problem.limit):
-        excess = np.maximum(problem.error(widths) - problem.limit, 0)
-        step, gain = None, -1.0
-        for i, cost in enumerate(problem.costs):
-            if grades[i] is None:
-                continue
-            for g in allowed[i]:
-                if cost.grades[g].w < widths[i]:
-                    less = problem.load[:, i] * (widths[i] ** 2 - cost.grades[g].w ** 2)
-                    price = max(cost.grades[g].cost - cost.grades[grades[i]].cost, 1e-300)
-                    worth = float(np.minimum(less, excess).sum()) / price
-                    if worth > gain and worth > 0:
-                        step, gain = (i, g), worth
-        if step is None:
-            tightened = _tightened(problem, widths)
-            if np.any(problem.error(tightened) > problem.limit * (1 + 1e-12)):
-                return None
-            widths = tightened
-            break
-        i, g = step
-        grades[i], widths[i] = g, problem.costs[i].grades[g].w
+    table = _Dual(problem, allowed)
+    widths, grades, graded = widths.copy(), list(grades), table.graded
+    if len(graded):
+        load, every = problem.load[:, graded], np.arange(len(graded))
+        column = np.array([int(np.flatnonzero(table.number[r] == grades[i])[0]) for r, i in enumerate(graded)])
+        there = np.isfinite(table.price)
+        while True:
+            excess = np.maximum(problem.error(widths) - problem.limit, 0)
+            if not excess.any():
+                break
+            narrower = widths[graded, None] ** 2 - table.square
+            rows = np.flatnonzero(excess)
+            less = np.minimum(load[rows, :, None] * narrower, excess[rows, None, None]).sum(axis=0)
+            dearer = np.maximum(table.price - table.price[every, column][:, None], 1e-300)
+            worth = np.where(there & (narrower > 0) & (less > 0), less / dearer, -1.0)
+            if worth.max(initial=-1.0) <= 0:
+                break
+            r, g = np.unravel_index(int(worth.argmax()), worth.shape)
+            i, column[r] = int(graded[r]), g
+            grades[i], widths[i] = int(table.number[r, g]), table.width[r, g]
+    if np.any(problem.error(widths) > problem.limit):
+        widths = _tightened(problem, widths)
+        if np.any(problem.error(widths) > problem.limit * (1 + 1e-12)):
+            return None
     total = sum(
         c.cost(w) if g is None else c.grades[g].cost for c, w, g in zip(problem.costs, widths, grades)
     )  # fmt: skip

@@ -2,7 +2,8 @@
 """costs.csv: what a tolerance costs.
 
 Rows of `symbol, kind, c, k, lower, upper` (kind `power`: c / w^k for a half width w from lower to upper) and of
-`symbol, kind, grade, w, cost` (kind `grades`, one row per grade); w in um or urad.
+`symbol, kind, grade, w, cost` (kind `grades`, one row per grade); w in um or urad.  A catalogue of grades
+(`grade_catalogue`) is read too.
 """
 
 from __future__ import annotations
@@ -13,16 +14,32 @@ from sensworkbench.core.allocation import Cost, Grade, GradeCost, PowerCost
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 
-from . import csv_table
+from . import csv_table, grade_catalogue
 
 COLUMNS = ("symbol", "kind", "c", "k", "lower", "upper", "grade", "w", "cost")
 KINDS = ("power", "grades")
 _LIMIT = 1e12
 
 
+def load_all(paths, machine: Machine) -> dict[str, Cost]:
+    """The costs of several files: of an error that stands in more than one, those of the first."""
+    found: dict[str, Cost] = {}
+    for path in paths:
+        found = load(path, machine) | found
+    return found
+
+
+def unpriced(path, machine: Machine) -> bool:
+    """Whether a file is a catalogue of grades with costs that are relative to the present tolerances."""
+    table = csv_table.read(grade_catalogue.place(path))
+    return grade_catalogue.is_catalogue(table) and grade_catalogue.costs(table, machine)[1]
+
+
 def load(path, machine: Machine) -> dict[str, Cost]:
     """symbol -> cost, widths in mm or rad.  Refuses with line and column of what is wrong."""
-    table = csv_table.read(path)
+    table = csv_table.read(grade_catalogue.place(path))
+    if grade_catalogue.is_catalogue(table):
+        return grade_catalogue.costs(table, machine)[0]
     names = [n.strip().lower() for n in table.names]
     for name in names:
         if name not in COLUMNS or names.count(name) > 1:

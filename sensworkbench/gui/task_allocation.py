@@ -11,7 +11,7 @@ from ..core.refusal import Refused
 from ..core.workspace import Cancelled
 from ..document import extract, factory, tables, tree
 from ..document.tables import read_units
-from ..formats import allocation_json, costs_csv, study_files
+from ..formats import allocation_json, costs_csv, grade_catalogue, study_files
 from ..studies.allocation import AllocationResult, Target, allocation_study
 from . import display, live, messages, pointers
 from .command import Command, Where, command
@@ -85,7 +85,16 @@ class TaskAllocation(Panel):
         load.setToolTip(translate("Sens", "Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)"))
         load.clicked.connect(self.ask_costs)
         row = QtGui.QHBoxLayout()
+        self.catalogue = QtGui.QToolButton()
+        self.catalogue.setText(translate("Sens", "Catalogue"))
+        self.catalogue.setToolTip(
+            translate(
+                "Sens", "Grades of guides, screws and scales for straightness and positioning; the rest as before"
+            )
+        )
+        self.catalogue.clicked.connect(self.load_catalogue)
         row.addWidget(self.prices, 1)
+        row.addWidget(self.catalogue)
         row.addWidget(load)
         rows.addRow(translate("Sens", "Target"), self.kind)
         self.compute_button = QtGui.QPushButton(translate("Sens", "Allocate"))
@@ -172,6 +181,17 @@ class TaskAllocation(Panel):
             return
         self.prices.setText(str(path).rpartition("/")[2])
         self.prices.setToolTip(str(path))
+        self.forget()
+
+    def load_catalogue(self, *_) -> None:
+        """Offer the grades of the catalogue for the errors that it holds; the others keep their curve."""
+        try:
+            self.costs = present_costs(self.core) | costs_csv.load(grade_catalogue.SHIPPED, self.core)
+        except Refused as error:
+            messages.show(messages.words(error))
+            return
+        self.prices.setText(translate("Sens", "grades of the catalogue; costs relative to the present tolerances"))
+        self.prices.setToolTip(str(grade_catalogue.SHIPPED))
         self.forget()
 
     def compute(self, *_) -> None:

@@ -14,7 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..core import workspace
-from ..core.allocation import Allocation, Cost, GradeCost, PowerCost, Problem, allocate
+from ..core.allocation import Allocation, Cost, GradeCost, Problem, allocate
+from ..core.allocation_front import front
 from ..core.distributions import Tolerance, moments
 from ..core.machine import Machine
 from ..core.refusal import Refused
@@ -257,11 +258,12 @@ def _front(problem: Problem, tell: Progress) -> tuple[FrontPoint, ...]:
         (c.grades[0].w, c.grades[-1].w) if isinstance(c, GradeCost) else (c.lower, c.upper) for c in problem.costs
     ])  # fmt: skip
     low, high = (np.sqrt(problem.error(w).max()) for w in widths.T)
-    curves = all(isinstance(c, PowerCost) for c in problem.costs)
-    out = []
-    for i, rms in enumerate(np.geomspace(low * 1.001, max(high, low * 1.002), FRONT if curves else FRONT // 5)):
-        found = allocate(replace(problem, limit=np.full(len(problem.limit), rms**2)))
-        out.append(FrontPoint(float(um(rms)), found.cost, found.bound))
-        if not tell((i + 1) / FRONT):
+    targets = np.geomspace(low * 1.001, max(high, low * 1.002), FRONT)
+
+    def told(part: float) -> bool:
+        if not tell(part):
             raise workspace.Cancelled("cancelled")
-    return tuple(out)
+        return True
+
+    found = front(problem, np.square(targets), told)
+    return tuple(FrontPoint(float(um(rms)), cost, bound) for rms, (cost, bound) in zip(targets, found))

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize
 
+from sensworkbench.core import allocation_front
 from sensworkbench.core.allocation import Grade, GradeCost, PowerCost, Problem, allocate
 from sensworkbench.core.refusal import Refused
 
@@ -111,3 +112,56 @@ def test_twenty_four_errors_and_worst_place_of_125_are_solved_with_their_gap():
     p = problem(rng, n=24, places=125, tight=1.0)
     found = allocate(p)
     assert np.all(found.error <= p.limit * (1 + 1e-12)) and found.gap < 1e-6
+
+
+# -- what other limits cost --------------------------------------------------------------------------------------------
+def rising(p, count):
+    """Limits from just above the tightest choice to the widest."""
+    ends = [
+        [c.grades[i].w if isinstance(c, GradeCost) else (c.lower, c.upper)[i] for c in p.costs] for i in (0, -1)
+    ]  # fmt: skip
+    low, high = (float(p.error(np.array(widths)).max()) for widths in ends)
+    return np.geomspace(low * 1.001, high, count)
+
+
+@pytest.mark.parametrize("places", [1, 5])
+@pytest.mark.parametrize("few", [1, 10**9])
+def test_the_front_of_grades_lies_between_its_bound_and_the_cheapest_of_all_choices(places, few, monkeypatch):
+    monkeypatch.setattr(allocation_front, "FEW", few)  # with few = 1 no limit is searched to the end
+    p = grades(np.random.default_rng(4), 6, places)
+    limits = rising(p, 15)
+    found = allocation_front.front(p, limits)
+    gaps = []
+    for limit, (cost, bound) in zip(limits, found):
+        cheapest = enumerated(Problem(p.load, p.fixed, np.full(places, limit), p.costs))
+        assert bound <= cheapest * (1 + 1e-9) and cheapest <= cost * (1 + 1e-9)
+        gaps.append(cost / cheapest - 1)
+    assert max(gaps) < (1e-6 if few > 1 or places == 1 else 0.2)
+    costs = [c for c, _ in found]
+    assert costs == sorted(costs, reverse=True)
+
+
+@pytest.mark.parametrize("places", [1, 27])
+def test_fifty_limits_of_twenty_four_errors_with_four_grades_each_take_less_than_a_second(places):
+    import time
+
+    p = grades(np.random.default_rng(5), 24, places)
+    limits = rising(p, 50)
+    times = []
+    for _ in range(2):
+        start = time.process_time()
+        found = allocation_front.front(p, limits)
+        times.append(time.process_time() - start)
+    assert len(found) == 50 and all(b <= c for c, b in found)
+    assert max(1 - b / c for c, b in found) < (0.03 if places == 1 else 0.15)
+    assert min(times) < 1.0
+
+
+def test_curves_beside_many_grades_are_the_cheapest_for_the_grades_that_were_chosen():
+    rng = np.random.default_rng(8)
+    g, curve = grades(rng, 12), problem(rng, n=4)
+    p = Problem(np.hstack([g.load, curve.load]), np.zeros(1), np.array([1.5]), (*g.costs, *curve.costs))
+    limits = rising(p, 12)[3:]
+    for limit, (cost, bound) in zip(limits, allocation_front.front(p, limits)):
+        best = allocate(Problem(p.load, p.fixed, np.array([limit]), p.costs), branches=300)
+        assert best.bound * (1 - 1e-9) <= cost <= best.cost * 1.1 and bound <= best.cost * (1 + 1e-9)

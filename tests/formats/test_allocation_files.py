@@ -13,7 +13,8 @@ from sensworkbench import cli
 from sensworkbench.core.refusal import Refused
 from sensworkbench.formats import costs_csv, machine_json
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "resources" / "examples"
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "resources" / "examples"
 MACHINE, COSTS = EXAMPLES / "vertical_machining_centre.json", EXAMPLES / "costs.csv"
 
 
@@ -102,3 +103,60 @@ def test_a_rotary_error_can_be_bought_too(tmp_path):
     costs.write_text("symbol,kind,c,k,lower,upper\nA0C,power,100,1,1,30\nX0C,power,50,1,1,20\n", encoding="utf-8")
     status, out = allocated(tmp_path, "rms=21", EXAMPLES / "trunnion.json", costs)
     assert status == 0 and "X0C" in (out / "tolerances.csv").read_text(encoding="utf-8")
+
+
+# -- the catalogue of grades -------------------------------------------------------------------------------------------
+def test_the_catalogue_offers_grades_for_the_travel_of_each_axis_and_says_where_they_are_printed():
+    machine = machine_json.load(MACHINE)
+    costs = costs_csv.load("catalogue", machine)
+    assert set(costs) == {"EYX", "EZX", "EXY", "EZY", "EXZ", "EYZ", "EXX", "EYY", "EZZ"}
+    travel = {j.name: float(j.travel[1] - j.travel[0]) for j in machine.joints}
+    guide = {g.name: g for g in costs["EYX"].grades}
+    assert set(guide) == {"guide C", "guide H", "guide P", "guide SP", "guide UP"}
+    # 0.02 mm per metre for class C: half of it to each side
+    assert guide["guide C"].w == pytest.approx(0.010 * travel["X"] / 1000)
+    # without prices a grade costs as many times what the present tolerance costs as it is narrower
+    assert guide["guide C"].cost == pytest.approx(0.005 / guide["guide C"].w)
+    screw = {g.name: g.w for g in costs["EXX"].grades}
+    assert screw["scale LIP 200 ±1"] == pytest.approx(0.001)
+    order = [screw[f"screw {n}"] for n in ("C0", "C1", "C3", "C5", "C7")]
+    assert order == sorted(order) and order[2] == pytest.approx(0.012 * travel["X"] / 300)
+    with (ROOT / "resources" / "catalogue" / "grades.csv").open(encoding="utf-8") as stream:
+        rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
+    assert rows and all(len(r["source"]) > 20 and r["cost"] == "" for r in rows)
+
+
+def test_prices_filled_into_a_copy_are_taken_and_other_errors_come_from_a_second_file(tmp_path, capsys):
+    text = (ROOT / "resources" / "catalogue" / "grades.csv").read_text(encoding="utf-8")
+    copy = tmp_path / "grades.csv"
+    copy.write_text(text.replace(",,,\"", ",,50,\"").replace(
+        "1000,,\"", "1000,80,\"").replace("300,,\"", "300,20,\""), encoding="utf-8")  # fmt: skip
+    machine = machine_json.load(MACHINE)
+    assert {g.cost for c in costs_csv.load(copy, machine).values() for g in c.grades} == {20.0, 50.0, 80.0}
+    assert not costs_csv.unpriced(copy, machine) and costs_csv.unpriced("catalogue", machine)
+    words = ["allocate", str(MACHINE), "--target", "rms=14", "--out", str(tmp_path / "out")]
+    assert cli.main([*words, "--costs", str(copy), "--costs", str(COSTS)]) == 0
+    assert "no money" not in capsys.readouterr().out
+    data = json.loads((tmp_path / "out" / "allocation.json").read_text(encoding="utf-8"))
+    found = {e["symbol"]: e["grade"] for e in data["errors"]}
+    assert found["EYX"].startswith("guide") and found["EXX"] and found["EAX"] is None and found["C0Y"] in "SPHC"
+    words[3] = "rms=18.5"
+    assert cli.main([*words, "--costs", "catalogue"]) == 0 and "no money" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    "row, code",
+    [
+        ("rope,C,0,100,6,,,x", "cost-kind"),
+        ("guide,C,0,100,0,,,x", "cost-grades-invalid"),
+        ("guide,C,100,50,6,,,x", "cost-grades-invalid"),
+        ("guide,C,0,100,six,,,x", "cost-not-a-number"),
+        ("guide,C,0,1,6,,,x", "cost-none"),
+    ],
+)
+def test_a_bad_catalogue_is_refused_with_its_place(tmp_path, row, code):
+    path = tmp_path / "grades.csv"
+    path.write_text(f"family,grade,from_mm,to_mm,w_um,per_mm,cost,source\n{row}\n", encoding="utf-8")
+    with pytest.raises(Refused) as refused:
+        costs_csv.load(path, machine_json.load(MACHINE))
+    assert refused.value.code == code and "grades.csv" in refused.value.where

@@ -84,3 +84,15 @@ def test_prices_of_a_file_are_used_and_its_faults_are_said(panel, tmp_path, monk
     assert messages()
     close_messages()
     assert list(panel.costs) == ["EAZ"]
+
+
+def test_the_catalogue_offers_grades_where_it_has_them(panel):
+    panel.catalogue.click()
+    panel.compute()
+    grades = {c.symbol: c.grade for c in panel.found.choices}
+    assert len(grades) == 24 and grades["EYX"].startswith("guide ") and not grades["EAZ"]
+    assert grades["EXX"].startswith(("screw ", "scale "))
+    assert not panel.table.isColumnHidden(task_allocation.GRADE) and "catalogue" in panel.prices.text()
+    shown = {panel.table.topLevelItem(i).text(task_allocation.GRADE) for i in range(24)}
+    assert grades["EYX"] in shown
+    screenshot("allocation-catalogue")

@@ -17,7 +17,8 @@ def add(parser) -> None:
     common.add_machine(parser)
     text = "mean_square=UM2, rms=UM, worst=UM (rms at the worst place) or quantile=P:UM (P of all errors are smaller)"
     parser.add_argument("--target", metavar="KIND=VALUE", required=True, help=text)
-    parser.add_argument("--costs", metavar="COSTS.csv", required=True, help="what each tolerance costs")
+    text = "what each tolerance costs; `catalogue`: grades of guides, screws and scales; may be given more than once"
+    parser.add_argument("--costs", metavar="COSTS.csv", required=True, action="append", help=text)
     parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
     common.add_language(parser)
 
@@ -43,7 +44,9 @@ def run(arguments) -> int:
 
     target = _target(arguments.target)
     machine = common.load_machine(arguments.machine)
-    costs = costs_csv.load(arguments.costs, machine)
+    costs = costs_csv.load_all(arguments.costs, machine)
+    if any(costs_csv.unpriced(path, machine) for path in arguments.costs):
+        common.say("the catalogue has no prices: its costs count from the present tolerances, 1 each, and are no money")
     common.keep_inputs(Path(arguments.out) / "machine.json", arguments.machine)
     result = allocation_study(machine, target, costs)
     paths = study_files.write_set(arguments.out, "allocate", allocation_json.files(result, arguments.language))
