@@ -2004,6 +2004,11 @@
       <translation>vorher und nachher</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>catalogue, relative costs</source>
+      <translation>Katalog, relative Kosten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>Kompensationswerte: Soll minus Ist</translation>
@@ -2087,11 +2092,6 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>eingefroren</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_allocation.py" />
-      <source>grades of the catalogue; costs relative to the present tolerances</source>
-      <translation>Klassen des Katalogs; Kosten bezogen auf die jetzigen Toleranzen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />

@@ -2004,6 +2004,11 @@
       <translation>전과 후</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>catalogue, relative costs</source>
+      <translation>목록, 상대 비용</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>보정값: 지령값 − 실제값</translation>
@@ -2087,11 +2092,6 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>고정</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/task_allocation.py" />
-      <source>grades of the catalogue; costs relative to the present tolerances</source>
-      <translation>목록의 등급; 비용은 현재 공차에 대한 상대값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />

@@ -190,7 +190,7 @@ class TaskAllocation(Panel):
         except Refused as error:
             messages.show(messages.words(error))
             return
-        self.prices.setText(translate("Sens", "grades of the catalogue; costs relative to the present tolerances"))
+        self.prices.setText(translate("Sens", "catalogue, relative costs"))
         self.prices.setToolTip(str(grade_catalogue.SHIPPED))
         self.forget()
 
