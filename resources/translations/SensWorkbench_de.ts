@@ -84,6 +84,11 @@
       <translation>Alle außer dem Werkzeug</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>All errors</source>
+      <translation>Alle Abweichungen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Allocate</source>
       <translation>Verteilen</translation>
@@ -99,7 +104,7 @@
       <translation>{n} Toleranzen werden verteilt</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Allowed</source>
       <translation>Zulässig</translation>
     </message>
@@ -137,6 +142,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Assembly</source>
       <translation>Baugruppe</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>At a random place of the workspace of a random machine within the tolerances</source>
+      <translation>An einem zufälligen Ort im Arbeitsraum einer zufälligen Maschine innerhalb der Toleranzen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -309,6 +319,11 @@
       <translation>Kondition</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Contribution</source>
+      <translation>Beitrag</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Contribution to Y; the contributions add to 1</source>
       <translation>Beitrag zu Y; die Beiträge ergeben zusammen 1</translation>
@@ -424,6 +439,11 @@
       <translation>Abweichungen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Errors of random machines</source>
+      <translation>Abweichungen zufälliger Maschinen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Every point at its best place when all of them move; click to see</source>
       <translation>Jeder Punkt an seinem besten Ort, wenn alle verschoben werden; ein Klick zeigt es</translation>
@@ -452,6 +472,16 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>Ausgeben…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Figure</source>
+      <translation>Kenngröße</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Figures</source>
+      <translation>Kenngrößen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -669,6 +699,11 @@
       <translation>{name} verfahren</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Judged</source>
+      <translation>Urteil</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Keep</source>
       <translation>Merken</translation>
@@ -692,6 +727,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>Legende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Limits of the error</source>
+      <translation>Grenzen der Abweichung</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -752,6 +792,11 @@
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Meaning</source>
       <translation>Bedeutung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Median</source>
+      <translation>Median</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1054,6 +1099,11 @@
       <translation>Preise der Toleranzen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Probability</source>
+      <translation>Wahrscheinlichkeit</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>Programmierte Positionen sind die des Werkzeugs am Werkstück</translation>
@@ -1212,6 +1262,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>Speichert die 3D-Ansicht mit ihrer Legende</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Says how large the error of a machine within these tolerances may become, how often it exceeds a limit, and what makes it large.</source>
+      <translation>Sagt, wie groß die Abweichung einer Maschine innerhalb dieser Toleranzen werden kann, wie oft sie eine Grenze überschreitet und was sie groß macht.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1459,6 +1514,11 @@
       <translation>Die Anpassung brach ab: {error}. Einzelheiten stehen im Ausgabefenster; bitte senden Sie sie mit den Messwerten ein.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>The largest error that is allowed; each figure passes or fails it</source>
+      <translation>Die größte erlaubte Abweichung; jede Kenngröße besteht oder verfehlt sie</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The machine has changed since this trace. Trace again.</source>
       <translation>Die Maschine hat sich seit dieser Suche geändert. Bitte erneut suchen.</translation>
@@ -1477,6 +1537,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>The order of the axes is how the parts carry each other: rebuild the parts, then choose the structure in Edit Machine.</source>
       <translation>Die Achsfolge ist, wie die Teile einander tragen: die Teile umbauen, dann in Maschine bearbeiten die Struktur wählen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>The part of all errors, or of all machines, that is below a figure</source>
+      <translation>Der Teil aller Abweichungen oder aller Maschinen, der unter einer Kenngröße liegt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1759,6 +1824,11 @@
       <translation>Was übrig bleibt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>What makes it large</source>
+      <translation>Was sie groß macht</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>What the declared errors leave depends on {columns}.</source>
       <translation>Was die angesetzten Fehler übrig lassen, hängt ab von {columns}.</translation>
@@ -1832,6 +1902,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Workspace, regular grid</source>
       <translation>Arbeitsraum, regelmäßiges Gitter</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Worst place</source>
+      <translation>Ungünstigster Ort</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Worst place: {size}</source>
+      <translation>Ungünstigster Ort: {size}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -2184,6 +2264,16 @@
       <translation>Position {axis}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>range of the deviation along this body diagonal (ISO 230-6); click to see it</source>
+      <translation>Spannweite der Abweichung entlang dieser Raumdiagonale (ISO 230-6); ein Klick zeigt sie</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>range over the workspace of the error along {axis} (ISO 230-1)</source>
+      <translation>Spannweite der Abweichung längs {axis} im Arbeitsraum (ISO 230-1)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>reading along its direction</source>
       <translation>Messwert in seiner Richtung</translation>
@@ -2277,6 +2367,16 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the first part</source>
       <translation>das erste Teil</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>the largest of V_X, V_Y and V_Z (ISO 230-1)</source>
+      <translation>die größte von V_X, V_Y und V_Z (ISO 230-1)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>the largest of the diagonal deviations (ISO 230-6)</source>
+      <translation>die größte der Diagonalabweichungen (ISO 230-6)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2429,6 +2529,11 @@
       <translation>{found}. Bitte die Fragen oben beantworten.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>{level} % of all errors are below &lt;b&gt;{size}&lt;/b&gt;; at the worst place ({place}) {worst}.</source>
+      <translation>{level} % aller Abweichungen liegen unter &lt;b&gt;{size}&lt;/b&gt;; am ungünstigsten Ort ({place}) unter {worst}.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>{name}, lower end</source>
       <translation>{name}, unteres Ende</translation>
@@ -2467,6 +2572,11 @@
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>{n} rows copied</source>
       <translation>{n} Zeilen kopiert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>{part} % ± {error} of all errors exceed {limit}: the {level} % error {judged}.</source>
+      <translation>{part} % ± {error} aller Abweichungen überschreiten {limit}: die {level}-%-Abweichung: {judged}.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2694,6 +2804,19 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the axes and all they carry; shows the Abbe offsets as arrows</source>
       <translation>Verfährt die Achsen mit allem, was sie tragen; zeigt die Abbe-Abstände als Pfeile</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Limits</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Limits of the Error…</source>
+      <translation>Grenzen der Abweichung…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Says how large the error may become, and how often it exceeds a limit</source>
+      <translation>Sagt, wie groß die Abweichung werden kann und wie oft sie eine Grenze überschreitet</translation>
     </message>
   </context>
   <context>

@@ -84,6 +84,11 @@
       <translation>공구를 뺀 모든 점</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>All errors</source>
+      <translation>모든 오차</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Allocate</source>
       <translation>배분</translation>
@@ -99,7 +104,7 @@
       <translation>공차 {n}개를 배분하는 중</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/whatif.py" />
+      <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Allowed</source>
       <translation>허용값</translation>
     </message>
@@ -137,6 +142,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>Assembly</source>
       <translation>조립체</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>At a random place of the workspace of a random machine within the tolerances</source>
+      <translation>공차 안에 있는 임의의 기계의 작업 공간 임의의 위치에서</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -309,6 +319,11 @@
       <translation>조건수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Contribution</source>
+      <translation>기여도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Contribution to Y; the contributions add to 1</source>
       <translation>Y에 대한 기여; 기여의 합은 1</translation>
@@ -424,6 +439,11 @@
       <translation>오차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Errors of random machines</source>
+      <translation>임의의 기계들의 오차</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Every point at its best place when all of them move; click to see</source>
       <translation>모두 옮길 때 각 점의 가장 좋은 위치; 클릭하면 보입니다</translation>
@@ -452,6 +472,16 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>내보내기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Figure</source>
+      <translation>지표</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Figures</source>
+      <translation>지표</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -669,6 +699,11 @@
       <translation>{name} 조그</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Judged</source>
+      <translation>판정</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Keep</source>
       <translation>보관</translation>
@@ -692,6 +727,11 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>범례</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Limits of the error</source>
+      <translation>오차의 한계</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -752,6 +792,11 @@
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Meaning</source>
       <translation>의미</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Median</source>
+      <translation>중앙값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1054,6 +1099,11 @@
       <translation>공차의 가격</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Probability</source>
+      <translation>확률</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Programmed positions are those of the tool on the workpiece</source>
       <translation>프로그램 위치는 공작물에 대한 공구의 위치입니다</translation>
@@ -1212,6 +1262,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Saves the 3D view with its legend</source>
       <translation>범례와 함께 3D 화면을 저장합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Says how large the error of a machine within these tolerances may become, how often it exceeds a limit, and what makes it large.</source>
+      <translation>이 공차 안에 있는 기계의 오차가 얼마나 커질 수 있는지, 얼마나 자주 한계를 넘는지, 무엇이 크게 하는지 알려 줍니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1459,6 +1514,11 @@
       <translation>맞춤이 중단되었습니다: {error}. 자세한 내용은 보고서 창에 있습니다. 측정값과 함께 보내 주십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>The largest error that is allowed; each figure passes or fails it</source>
+      <translation>허용되는 가장 큰 오차; 각 지표가 합격하거나 불합격합니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>The machine has changed since this trace. Trace again.</source>
       <translation>추적 뒤 기계가 바뀌었습니다. 다시 추적하십시오.</translation>
@@ -1477,6 +1537,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>The order of the axes is how the parts carry each other: rebuild the parts, then choose the structure in Edit Machine.</source>
       <translation>축 순서는 부품이 서로를 받치는 방식입니다. 부품을 다시 구성한 뒤 기계 편집에서 구조를 고르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>The part of all errors, or of all machines, that is below a figure</source>
+      <translation>지표보다 작은 모든 오차 또는 모든 기계의 비율</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1759,6 +1824,11 @@
       <translation>남은 것</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>What makes it large</source>
+      <translation>크게 하는 것</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>What the declared errors leave depends on {columns}.</source>
       <translation>선언된 오차가 남긴 것은 {columns}에 의존합니다.</translation>
@@ -1832,6 +1902,16 @@
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Workspace, regular grid</source>
       <translation>작업 공간, 규칙 격자</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Worst place</source>
+      <translation>가장 나쁜 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Worst place: {size}</source>
+      <translation>가장 나쁜 위치: {size}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -2184,6 +2264,16 @@
       <translation>{axis} 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>range of the deviation along this body diagonal (ISO 230-6); click to see it</source>
+      <translation>이 체대각선을 따른 편차의 범위(ISO 230-6); 클릭하면 보입니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>range over the workspace of the error along {axis} (ISO 230-1)</source>
+      <translation>작업 공간에서 {axis} 방향 오차의 범위(ISO 230-1)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>reading along its direction</source>
       <translation>측정 방향의 값</translation>
@@ -2277,6 +2367,16 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>the first part</source>
       <translation>첫째 부품</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>the largest of V_X, V_Y and V_Z (ISO 230-1)</source>
+      <translation>V_X, V_Y, V_Z 중 가장 큰 값(ISO 230-1)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>the largest of the diagonal deviations (ISO 230-6)</source>
+      <translation>대각선 편차 중 가장 큰 값(ISO 230-6)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2429,6 +2529,11 @@
       <translation>{found}. 위 질문에 답하십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>{level} % of all errors are below &lt;b&gt;{size}&lt;/b&gt;; at the worst place ({place}) {worst}.</source>
+      <translation>모든 오차의 {level} %가 &lt;b&gt;{size}&lt;/b&gt;보다 작습니다. 가장 나쁜 위치({place})에서는 {worst}.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>{name}, lower end</source>
       <translation>{name}, 아래쪽 끝</translation>
@@ -2467,6 +2572,11 @@
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>{n} rows copied</source>
       <translation>{n}행을 복사했습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>{part} % ± {error} of all errors exceed {limit}: the {level} % error {judged}.</source>
+      <translation>모든 오차의 {part} % ± {error}가 {limit}를 넘습니다: {level} % 오차 {judged}.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2694,6 +2804,19 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Moves the axes and all they carry; shows the Abbe offsets as arrows</source>
       <translation>축과 축이 나르는 모든 것을 움직이고 아베 오프셋을 화살표로 보여 줍니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Limits</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Limits of the Error…</source>
+      <translation>오차의 한계…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_limits.py" />
+      <source>Says how large the error may become, and how often it exceeds a limit</source>
+      <translation>오차가 얼마나 커질 수 있고 얼마나 자주 한계를 넘는지 알려 줍니다</translation>
     </message>
   </context>
   <context>

@@ -17,7 +17,7 @@ from .bars import BAR, BarDelegate
 from .copying import copyable
 from .panel import Panel
 from .panel import show as show_panel
-from .qt import Qt, QtGui, later, translate
+from .qt import Qt, QtGui, translate
 from .ranking import NumericItem
 
 KEY = Qt.UserRole + 2  # in column 0: what a row is about
@@ -280,5 +280,4 @@ def with_bars(view, column: int) -> None:
 def opened(panel):
     """Show a panel; returns it."""
     show_panel(panel, panel.document)
-    later(panel.point)
     return panel

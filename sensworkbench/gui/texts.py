@@ -197,3 +197,8 @@ def mean_square_text(result) -> str:
         return size_of(told.objective(result.Objective), result.MeanSquare)
     except Refused:
         return ""
+
+
+def error_unit() -> tuple[str, float]:
+    """(unit, µm in it) in which errors are typed and shown where FreeCAD's preferences are asked: µm, or µin."""
+    return ("µm", 1.0) if length_unit()[0] == "mm" else ("µin", 0.0254)

@@ -141,14 +141,14 @@ def _figures(machine: Machine, laws, level: float) -> tuple[Figure, ...]:
     grid = columns(machine, workspace.grid(machine, GRID).q)
     axes = np.stack([np.ptp(np.einsum("pn,ns->ps", grid[:, a], x), axis=0) for a in range(3)])
     rows = {f"V_{n}": v for n, v in zip("XYZ", axes)} | {"V_XYZ": axes.max(axis=0)}
-    ranges = [_along(machine, x, *ends) for ends in _diagonals(machine)]
+    ranges = [_along(machine, x, *ends) for ends in diagonals(machine)]
     rows |= {f"D{i}": r for i, r in enumerate(ranges, start=1)}
     if ranges:
         rows["E_D"] = np.max(ranges, axis=0)
     return tuple(Figure(n, um(float(np.median(v))), um(float(np.quantile(v, level)))) for n, v in rows.items())
 
 
-def _diagonals(machine: Machine):
+def diagonals(machine: Machine):
     """(from, to) of the body diagonals of a machine with three linear joints; none otherwise."""
     if len(machine.joints) != 3 or not all(j.slides for j in machine.joints):
         return

@@ -109,7 +109,10 @@ def language(request):
     Gui.setLocale("English")
 
 
-@pytest.mark.parametrize("command", ["Sens_EditMachine", "Sens_Tolerances", "Sens_Jog", "Sens_Allocate", "Sens_Moves"])
+OF_A_MACHINE = ("Sens_EditMachine", "Sens_Tolerances", "Sens_Jog", "Sens_Allocate", "Sens_Moves", "Sens_Limits")
+
+
+@pytest.mark.parametrize("command", OF_A_MACHINE)
 def test_panels_of_a_machine(machine, machine_doc, language, command):
     run("Sens_Sensitivity")
     review.hide()
