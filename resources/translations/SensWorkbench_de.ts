@@ -74,6 +74,11 @@
       <translation>Fügt die gewählten Teile hinzu</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>All axes</source>
+      <translation>Alle Achsen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>All axes to 0</source>
       <translation>Alle Achsen auf 0</translation>
@@ -122,6 +127,11 @@
       <location filename="../../sensworkbench/gui/command.py" />
       <source>Another panel is open. Close it first.</source>
       <translation>Ein anderes Fenster ist offen. Bitte zuerst schließen.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Answer by a click</source>
+      <translation>Mit einem Klick antworten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -234,7 +244,7 @@
       <translation>Eine Zeile unter Beste Orte wählen: Eine Steigung sagt, wohin, aber nicht, wie weit.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Choose …</source>
       <translation>Wählen …</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>Leeren</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Click it in the 3D view or the tree.</source>
+      <translation>Klicken Sie es in der 3D-Ansicht oder im Baum an.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -374,7 +389,7 @@
       <translation>Richtung: {vector} ({source})</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Directions of rails, screws and long edges, the longest first</source>
       <translation>Richtungen von Schienen, Spindeln und langen Kanten, die längsten zuerst</translation>
     </message>
@@ -724,6 +739,11 @@
       <translation>Größter totaler Index Sᵀ der Komponente</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Leaves the question open</source>
+      <translation>Lässt die Frage offen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>Legende</translation>
@@ -745,8 +765,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>Looking for rails, screws, and what touches them…</source>
-      <translation>Schienen, Spindeln und was sie berührt werden gesucht…</translation>
+      <source>Looking at shapes: %p %</source>
+      <translation>Formen werden untersucht: %p %</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -817,6 +837,16 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>Maßstab verschieben von</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Moves one axis after the other to the ends of its travel and back</source>
+      <translation>Fährt eine Achse nach der anderen an die Enden ihres Verfahrwegs und zurück</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Moves the axis within its travel; it goes back when you let go</source>
+      <translation>Bewegt die Achse in ihrem Verfahrweg; beim Loslassen geht sie zurück</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1294,11 +1324,6 @@
       <translation>Ein Koordinatensystem, einen Punkt, eine Kante oder Fläche an der Werkzeugspitze wählen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Select one or more parts in the view or the tree first.</source>
-      <translation>Zuerst ein oder mehrere Teile in Ansicht oder Baum wählen.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Sens &gt; Repair Machine… lists all of them and mends them. Their data are kept.</source>
       <translation>Sens &gt; Maschine reparieren… zeigt alle und repariert sie. Ihre Daten bleiben erhalten.</translation>
@@ -1389,6 +1414,11 @@
       <translation>Größe</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Skip</source>
+      <translation>Überspringen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at {axis}</source>
       <translation>Schnitt bei {axis}</translation>
@@ -1417,6 +1447,11 @@
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Stopping…</source>
       <translation>Wird angehalten…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Stops the look and keeps what is known by now</source>
+      <translation>Beendet die Untersuchung und behält, was bis jetzt bekannt ist</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1714,6 +1749,11 @@
       <translation>Verfahrweg</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Try it</source>
+      <translation>Ausprobieren</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Type a value and select the errors that take it.</source>
       <translation>Einen Wert eingeben und die Abweichungen wählen, die ihn erhalten.</translation>
@@ -1732,6 +1772,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Undo</source>
       <translation>Rückgängig</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Undo answer</source>
+      <translation>Antwort zurücknehmen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

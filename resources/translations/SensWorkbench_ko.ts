@@ -74,6 +74,11 @@
       <translation>선택한 부품을 추가합니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>All axes</source>
+      <translation>모든 축</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>All axes to 0</source>
       <translation>모든 축을 0으로</translation>
@@ -122,6 +127,11 @@
       <location filename="../../sensworkbench/gui/command.py" />
       <source>Another panel is open. Close it first.</source>
       <translation>다른 패널이 열려 있습니다. 먼저 닫으십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Answer by a click</source>
+      <translation>클릭으로 답하기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -234,7 +244,7 @@
       <translation>가장 좋은 위치에서 행을 고르십시오. 기울기는 방향만 말하고 거리는 말하지 않습니다.</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Choose …</source>
       <translation>선택 …</translation>
     </message>
@@ -247,6 +257,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Clear</source>
       <translation>비우기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Click it in the 3D view or the tree.</source>
+      <translation>3D 뷰나 트리에서 클릭하십시오.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -374,7 +389,7 @@
       <translation>방향: {vector} ({source})</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Directions of rails, screws and long edges, the longest first</source>
       <translation>레일, 나사, 긴 모서리의 방향 (가장 긴 것부터)</translation>
     </message>
@@ -724,6 +739,11 @@
       <translation>구성요소의 최대 전체 지수 Sᵀ</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Leaves the question open</source>
+      <translation>질문을 남겨 둡니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Legend</source>
       <translation>범례</translation>
@@ -745,8 +765,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
-      <source>Looking for rails, screws, and what touches them…</source>
-      <translation>레일, 나사와 이에 닿는 부품을 찾는 중…</translation>
+      <source>Looking at shapes: %p %</source>
+      <translation>모양을 살펴보는 중: %p %</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -817,6 +837,16 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Move the scale of</source>
       <translation>스케일 이동 축</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Moves one axis after the other to the ends of its travel and back</source>
+      <translation>축을 하나씩 이송 범위의 양 끝까지 움직였다가 되돌립니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Moves the axis within its travel; it goes back when you let go</source>
+      <translation>이송 범위 안에서 축을 움직입니다. 놓으면 되돌아갑니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1294,11 +1324,6 @@
       <translation>공구 끝의 좌표계, 꼭짓점, 모서리 또는 면을 선택하십시오</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Select one or more parts in the view or the tree first.</source>
-      <translation>먼저 화면이나 트리에서 부품을 하나 이상 선택하십시오.</translation>
-    </message>
-    <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
       <source>Sens &gt; Repair Machine… lists all of them and mends them. Their data are kept.</source>
       <translation>Sens &gt; 기계 복구…에서 모두 확인하고 고칠 수 있습니다. 데이터는 유지됩니다.</translation>
@@ -1389,6 +1414,11 @@
       <translation>크기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Skip</source>
+      <translation>건너뛰기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at {axis}</source>
       <translation>{axis} 단면</translation>
@@ -1417,6 +1447,11 @@
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Stopping…</source>
       <translation>멈추는 중…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Stops the look and keeps what is known by now</source>
+      <translation>살펴보기를 멈추고 지금까지 알아낸 것을 남깁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1714,6 +1749,11 @@
       <translation>이송 범위</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/trial.py" />
+      <source>Try it</source>
+      <translation>움직여 보기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Type a value and select the errors that take it.</source>
       <translation>값을 입력하고 적용할 오차를 선택하십시오.</translation>
@@ -1732,6 +1772,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Undo</source>
       <translation>되돌리기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/proposal_note.py" />
+      <source>Undo answer</source>
+      <translation>답 되돌리기</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />

@@ -133,6 +133,7 @@ def update(result, *, fresh: bool = False) -> None:
         except Refused:
             pass  # the machine's Problem says what is wrong; the last colours stay
     if result.Coloured and view.ShowLegend:
+        proxy.legend.drag_to(tuple(getattr(view, "LegendPlace", (0, 0)))[:2])
         proxy.legend.show(legend_text(machine, result), scale(result), view.LegendCorner)
     else:
         proxy.legend.hide()

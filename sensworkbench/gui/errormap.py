@@ -3,7 +3,8 @@
 
 Each point is drawn where the tool point is relative to the workpiece at that position.  Its colour is the root of the
 mean square, √E[Y], or the upper estimate √(E[Y] + 2 √V(Y)): Y two of its standard deviations above its mean.
-The legend runs from the smallest to the largest value of the workspace, for slices too.
+The legend runs from the smallest to the largest value of the workspace, for slices too.  A click on the map shows the
+position of the axes there, and the error.
 """
 
 from __future__ import annotations
@@ -14,13 +15,16 @@ from pivy import coin
 from ..document import extract, tree
 from ..document.base import kind_of
 from ..studies.error_map import FINE, map_errors, map_positions
+from .arrows import POINT_COLOUR, Arrow, Arrows
 from .colormap import Scale
+from .dragging import Click
 from .legend import Legend, LegendText, unbounded
 from .looks import MAP_SHOWS, POINTS, sliced
 from .qt import translate
-from .texts import shown_unit
+from .texts import fixed, position_words, shown_unit
 
 EXPECTED, WORST = MAP_SHOWS
+NEAR = 14  # pixels from a point of the map that a click may be
 
 
 def positions(core, form: str = POINTS, at: float = 0.0) -> np.ndarray:
@@ -72,8 +76,12 @@ class ErrorMap:
         self._switch.whichChild = coin.SO_SWITCH_NONE
         group.addChild(self._switch)
         self.root.addChild(group)
-        self.legend = Legend()
+        self.legend, self.mark = Legend(), Arrows()
         self.root.addChild(self.legend.root)
+        self.root.addChild(self.mark.root)
+        self.root.addChild(Click(self._clicked).node)
+        self.picked = None  # position of the axes (mm) that was clicked last
+        self._values = np.zeros(0), "", [], np.zeros((0, 0))  # value, unit, names of the axes, positions
         self._key = self._whole = None
         self._ends = (0.0, 0.0)
 
@@ -109,7 +117,10 @@ class ErrorMap:
             if whole != self._whole:  # one scale for the workspace: a slice that moves can be compared with the last
                 self._whole, everywhere = whole, map_errors(core, objective, positions(core), upper=what == WORST)
                 self._ends = float(everywhere.min()), float(everywhere.max())
+            self.unpick()
             self._fill(core.tool_position(q), value, objective, colour_map, what, form, at)
+            unit, factor = shown_unit(objective.output)
+            self._values = value * factor, unit, list(core.names), q
             self._key = key if machine.Inputs else None
         self._switch.whichChild = 0
         self.legend.show(self._text, self._scale, corner)
@@ -133,6 +144,32 @@ class ErrorMap:
         note = "" if form == POINTS else f"{sliced(form)} = {at:g} mm"
         self._text = LegendText(title(objective, what), unit, words, short=short, note=note)
 
+    def _clicked(self, x: float, y: float, project) -> None:
+        """A click in the view: the point of the map there, the nearest to the eye, is marked and said."""
+        if not self.shown or not len(self._values[0]):
+            return
+        places = self.drawn[0]
+        seen = project(places)
+        far = np.hypot(seen[:, 0] - x, seen[:, 1] - y)
+        near = np.flatnonzero(far < max(NEAR, far.min() + 3 if self._form.whichChild.getValue() else 0))
+        near = near[far[near] < 4 * NEAR]
+        if not len(near):
+            self.unpick()
+            return
+        best = near[np.argmin(far[near])] if self._form.whichChild.getValue() else near[np.argmin(seen[near, 2])]
+        values, unit, names, q = self._values
+        self.picked = dict(zip(names, q[best].tolist()))
+        where = position_words({name: fixed(v, 1) for name, v in self.picked.items()})
+        text = f"{where}\n{fixed(float(values[best]), 1)} {unit}"
+        at = tuple(places[best].tolist())
+        extent = float(np.linalg.norm(np.ptp(places, axis=0)))
+        self.mark.show([Arrow(at, at, POINT_COLOUR, text, below=True)], extent)
+
+    def unpick(self) -> None:
+        """Take the mark of a click away."""
+        self.picked = None
+        self.mark.clear()
+
     @property
     def drawn(self) -> tuple[np.ndarray, Scale, LegendText]:
         """What is drawn: (P, 3) places, the scale of the colours, and the words of the legend."""
@@ -143,3 +180,4 @@ class ErrorMap:
         """Hide the map and its legend."""
         self._switch.whichChild = coin.SO_SWITCH_NONE
         self.legend.hide()
+        self.unpick()

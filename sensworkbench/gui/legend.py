@@ -15,6 +15,7 @@ import FreeCAD as App
 from pivy import coin
 
 from .colormap import NO_DATA, Scale, colour
+from .dragging import Drag
 from .picture import blank, font, painter, plate, set_image, text_width
 from .qt import Qt, QtCore, QtGui
 
@@ -147,6 +148,9 @@ def unbounded():
 class Legend:
     """The legend's nodes.  `root` goes into the scene graph; `show` fills it, `hide` empties it.
 
+    It is dragged with the left mouse button, and a click puts it back into its corner.  offset : how far it was
+    dragged, in halves of the view's width and height.  placed(offset) : called when it was dragged or put back.
+
     `paint` may be another function of (text, scale, size); its text then has `marks` and `compact()` too.
     """
 
@@ -185,7 +189,10 @@ class Legend:
         self._switch.addChild(self._image)
         note.addChild(self._switch)
         self._place = place
+        self._drag = Drag(self._inside, self._moved, self._dropped)
+        note.addChild(self._drag.node)
         self.root.addChild(note)
+        self.offset, self.placed = (0.0, 0.0), None
 
     @property
     def shown(self) -> bool:
@@ -224,8 +231,54 @@ class Legend:
         self.covers = (image.width(), image.height())
         below = 2 * _cube(corner) / height
         right, low = "right" in corner, "Lower" in corner
-        self._place.translation = (0.975 if right else -0.975, -0.93 + below if low else 0.93 - below, 0)
+        self._corner = (0.975 if right else -0.975, -0.93 + below if low else 0.93 - below)
+        self._put()
         self._painted = (self._content, self._pixels)
+
+    def _put(self) -> None:
+        """Place the picture, no part of it outside the view."""
+        (width, height), (wide, high) = self._pixels, self.covers
+        right, low = "right" in self._content[2], "Lower" in self._content[2]
+        wide, high = 2 * wide / width, 2 * high / height
+        x, y = (c + d for c, d in zip(self._corner, self.offset))
+        x = max(min(x, 1.0), wide - 1.0) if right else min(max(x, -1.0), 1.0 - wide)
+        y = min(max(y, -1.0), 1.0 - high) if low else max(min(y, 1.0), high - 1.0)
+        self._place.translation = (x, y, 0)
+
+    def drag_to(self, offset: tuple[float, float]) -> None:
+        """Stand so far from the corner, in halves of the view's width and height."""
+        if tuple(offset) != self.offset:
+            self.offset = (float(offset[0]), float(offset[1]))
+            if self._content is not None and self._painted is not None:
+                self._put()
+
+    def box(self) -> tuple[float, float, float, float]:
+        """Left, lower, right and upper edge in the view, pixels from its lower left."""
+        (width, height), (wide, high) = self._pixels, self.covers
+        x, y, _ = self._place.translation.getValue().getValue()
+        x, y = (x + 1) * width / 2, (y + 1) * height / 2
+        left = x - wide if "right" in self._content[2] else x
+        low = y if "Lower" in self._content[2] else y - high
+        return left, low, left + wide, low + high
+
+    def _inside(self, x: float, y: float) -> bool:
+        if self._content is None or self._painted is None:
+            return False
+        left, low, right, high = self.box()
+        return left <= x <= right and low <= y <= high
+
+    def _moved(self, dx: float, dy: float) -> None:
+        width, height = self._pixels
+        self.drag_to((self.offset[0] + 2 * dx / width, self.offset[1] + 2 * dy / height))
+
+    def _dropped(self, moved: bool) -> None:
+        if moved:  # what was dragged past the edge stays at the edge
+            x, y, _ = self._place.translation.getValue().getValue()
+            self.offset = (x - self._corner[0], y - self._corner[1])
+        else:
+            self.drag_to((0.0, 0.0))
+        if self.placed is not None:
+            self.placed(self.offset)
 
     def _drawn(self, _data, action) -> None:
         """Called while the scene is traversed: fit the picture to the size of the view or of the saved image."""

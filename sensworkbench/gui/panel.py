@@ -67,6 +67,8 @@ def show(panel, doc) -> None:
     area = scroll_area(panel.form)
     if panel.grows is not None and area is not None:
         Filler(area, panel.form, panel.grows, panel.tallest)
+    elif area is not None:
+        Whole(panel.form)
 
 
 def rows(parent=None):
@@ -115,6 +117,31 @@ class Filler(QtCore.QObject):
             height = min(max(room, self.LOWEST), self.tallest)
             if others >= 0 and (height != own or not fixed):
                 self.widget.setFixedHeight(height)
+        except RuntimeError:  # the panel is gone
+            return
+
+
+class Whole(QtCore.QObject):
+    """Keeps a panel as high as its controls need at its width: texts that wrap are not asked for by FreeCAD."""
+
+    def __init__(self, form):
+        super().__init__(form)
+        self.form = form
+        form.installEventFilter(self)
+        later(self.fit)
+
+    def eventFilter(self, watched, event):
+        if event.type() in (QtCore.QEvent.Resize, QtCore.QEvent.LayoutRequest):
+            later(self.fit)
+        return False
+
+    def fit(self) -> None:
+        """As high as the layout needs."""
+        try:
+            layout = self.form.layout()
+            needed = layout.totalHeightForWidth(self.form.width()) if layout.hasHeightForWidth() else 0
+            if needed > 0 and needed != self.form.minimumHeight():
+                self.form.setMinimumHeight(needed)
         except RuntimeError:  # the panel is gone
             return
 

@@ -21,10 +21,11 @@ OTHER_COLOUR = (0.45, 0.40, 0.15)  # of axes of other names
 BODY_COLOURS = {**AXIS_COLOURS, "T": (0.45, 0.25, 0.65), "W": (0.35, 0.35, 0.35)}
 
 
-def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
+def arrows(machine, bodies, *, detail: bool = True, offsets: bool = True) -> list[Arrow]:
     """Arrows for the given bodies (X, Y, Z, T, W); empty where the machine cannot be computed.
 
-    detail : with the axis of motion and the components of the offset, for one body or a few.
+    detail : with the axis of motion and the components of the offset, for one body or a few.  offsets : with the
+    reference points and Abbe offsets.
     """
     if machine.Problem:
         return []
@@ -51,7 +52,10 @@ def arrows(machine, bodies, *, detail: bool = True) -> list[Arrow]:
             if sign < 0:  # the carriage of a workpiece goes the other way than the tool on it
                 text += "\n" + translate("Sens", "for +{name} the table moves to −{name}").format(name=body)
             higher = 1.0 if (b - a).dot(UP) >= 0 else 0.0  # that of the reference point stands below it
+            higher = higher if offsets else 1.0  # several axes side by side: their tips are farthest apart
             found.append(Arrow(tuple(a), tuple(b), colour, text, higher))
+        if not offsets:
+            continue
         text = translate("Sens", "Reference {name}").format(name=name)
         if offset.Length < 1e-6:
             found.append(Arrow(tuple(start), tuple(start), POINT_COLOUR, text, below=True))
@@ -92,7 +96,7 @@ def tool_mark(machine) -> list[Arrow]:
     return [Arrow(tuple(point), tuple(point), TOOL_COLOUR, text, below=True)]
 
 
-def show(machine, bodies, *, detail: bool = True, tool: bool = False) -> None:
+def show(machine, bodies, *, detail: bool = True, tool: bool = False, offsets: bool = True) -> None:
     """Draw the arrows of some bodies, and with `tool` the mark of the tool point; nothing to draw clears the view."""
     proxy = machine.ViewObject.Proxy
     if not hasattr(proxy, "arrows"):
@@ -106,7 +110,7 @@ def show(machine, bodies, *, detail: bool = True, tool: bool = False) -> None:
     if machine.Name not in sizes:
         sizes[machine.Name] = extent(machine)
     proxy.arrows.outline(())
-    proxy.arrows.show([*arrows(machine, bodies, detail=detail), *mark], sizes[machine.Name])
+    proxy.arrows.show([*arrows(machine, bodies, detail=detail, offsets=offsets), *mark], sizes[machine.Name])
 
 
 def clear(machine) -> None:

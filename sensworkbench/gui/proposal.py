@@ -83,7 +83,7 @@ def shown(doc, found: Found) -> Shown:
     if found.structure:
         made.reasons["structure"] = [("structure", Message("propose-panel-chain"))]
     named = building.named_tool_point(doc)
-    if named is not None:
+    if named is not None and named.object.Name not in found.made:
         made.reasons["tool point"] = [("tool", Message("propose-panel-tool-name", part=named.object.Label))]
     elif found.axes:
         made.reasons["tool point"] = [("tool", Message("propose-panel-tool"))]

@@ -6,15 +6,12 @@ A reason is dropped as soon as the user chooses otherwise: nothing that was gues
 
 from __future__ import annotations
 
-from contextlib import contextmanager
-
-from ..core.workspace import Cancelled
+from ..document.propose.pinned import pins
 from ..messages import Message
 from . import pointers
-from .preferences import combo
+from .preferences import number_box
 from .proposal import Shown, language, selected_links
-from .qt import Qt, QtGui, main_window, translate
-from .sources import vector_words
+from .qt import Qt, QtGui, translate
 from .texts import body_kind
 
 PIECES = {  # property -> the piece of a reason that speaks of it
@@ -24,29 +21,74 @@ PIECES = {  # property -> the piece of a reason that speaks of it
 
 
 class ProposalNote(QtGui.QFrame):
-    """A box at the top of the panel: the reasons, and one question at a time; hidden where nothing was proposed.
+    """A box at the top of the panel: one question at a time, and the reasons; hidden where nothing was proposed.
 
-    answers : what the person has said so far, as `engine.again` takes it.  answer(name, value) : called with each.
+    answers : what the person has said so far, as `engine.again` takes it.  answer() : called after each change of them.
+    A question for a part is answered by a click on it, as long as it is `armed`.
     """
 
     def __init__(self, shown: Shown, answer):
         super().__init__()
         self.answers, self._answer = {}, answer
+        self.said: list[str] = []  # names of the questions that were answered here, in order
+        self.later: list[str] = []  # names of those that were put off
+        self.armed = self.stopped = False
         self.setObjectName("SensProposalBox")
         self.setStyleSheet("#SensProposalBox { background: #fff3c4; border: 1px solid #d9a400 }")
         page = QtGui.QVBoxLayout(self)
         page.setContentsMargins(5, 5, 5, 5)
-        self.label, self.question = QtGui.QLabel(), QtGui.QLabel()
-        for label, name in ((self.label, "SensProposal"), (self.question, "SensQuestion")):
-            label.setObjectName(name)
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.RichText)
-            label.setStyleSheet("color: #2b2b2b")
-            page.addWidget(label)
-        self.buttons = QtGui.QVBoxLayout()
+        page.setSpacing(3)
+        self.looking = self._looking()
+        page.addWidget(self.looking)
+        self.question = self._label(page, "SensQuestion")
+        self.hint = self._label(page, "SensHint")
+        self.hint.linkActivated.connect(self.arm)
+        self.fields = QtGui.QWidget()
+        self._fields = QtGui.QHBoxLayout(self.fields)
+        self._fields.setContentsMargins(0, 0, 0, 0)
+        page.addWidget(self.fields)
+        self.buttons = QtGui.QGridLayout()
         page.addLayout(self.buttons)
+        self.label = self._label(page, "SensProposal")
         self.lit = set()
         self.renew(shown)
+
+    @staticmethod
+    def _label(page, name: str):
+        label = QtGui.QLabel()
+        label.setObjectName(name)
+        label.setWordWrap(True)
+        label.setTextFormat(Qt.RichText)
+        label.setStyleSheet("color: #2b2b2b")
+        page.addWidget(label)
+        return label
+
+    def _looking(self):
+        box = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(box)
+        row.setContentsMargins(0, 0, 0, 0)
+        self.bar = QtGui.QProgressBar()
+        self.bar.setObjectName("SensLooking")
+        self.bar.setRange(0, 1000)
+        self.bar.setFormat(translate("Sens", "Looking at shapes: %p %"))
+        stop = QtGui.QPushButton(translate("Sens", "Cancel"))
+        stop.setObjectName("SensStopLooking")
+        stop.setToolTip(translate("Sens", "Stops the look and keeps what is known by now"))
+        stop.clicked.connect(self._stop)
+        row.addWidget(self.bar, 1)
+        row.addWidget(stop)
+        box.hide()
+        return box
+
+    def _stop(self, *_) -> None:
+        self.stopped = True
+
+    def look(self, fraction: float | None) -> None:
+        """How far the look at the shapes is; None: it is over."""
+        self.looking.setVisible(fraction is not None)
+        self.bar.setValue(int(1000 * (fraction or 0.0)))
+        if fraction is None or not self.asked:
+            self._write()
 
     def renew(self, shown: Shown) -> None:
         """Another proposal, after an answer."""
@@ -56,8 +98,8 @@ class ProposalNote(QtGui.QFrame):
         self.body = "F"
         self.waiting = list(shown.bodies)
         self.setVisible(self.given)
-        self._write()
         self._ask()
+        self._write()
 
     def text(self) -> str:
         """What the box says."""
@@ -71,49 +113,116 @@ class ProposalNote(QtGui.QFrame):
 
     # -- the question ------------------------------------------------------------------------------------------------
     def _ask(self) -> None:
-        while self.buttons.count():
-            widget = self.buttons.takeAt(0).widget()
-            widget.setParent(None)
-            widget.deleteLater()
+        for layout in (self.buttons, self._fields):
+            while layout.count():
+                widget = layout.takeAt(0).widget()
+                if widget is not None:
+                    widget.setObjectName("")  # gone as soon as its own click is over
+                    widget.hide()
+                    widget.deleteLater()
         open_ = [q for q in self.proposal.found.questions if q.name not in self.answers] if self.given else []
-        self.asked = open_[0] if open_ else None
+        self.asked = next((q for q in open_ if q.name not in self.later), None)
+        self.armed = self.asked is not None and self.asked.kind in ("part", "parts")
         self.question.setVisible(self.asked is not None)
-        if self.asked is None:
-            return
-        question = self.asked
-        self.question.setText(f"<b>{_safe(question.message.text(language()))}</b>")
-        if question.kind in ("part", "parts"):
-            self._button(Message("propose-panel-answer"), self.take)
-            if question.name == "bed" and self.proposal.found.bodies.get("F"):
-                units = self.proposal.found.bodies["F"]
-                part = max(units, key=lambda u: u.bulk)
-                self._button(Message("propose-choice-yes"), lambda: self._say("bed", part))
+        self.fields.setVisible(self.asked is not None and self.asked.kind == "travel")
+        if self.asked is not None:
+            self._offer(self.asked)
+        if self.said:
+            undo = self._button(translate("Sens", "Undo answer"), self.undo)
+            undo.setObjectName("SensUndoAnswer")
+        self._hint()
+
+    def _offer(self, question) -> None:
+        """The buttons of a question."""
+        words = _safe(question.message.text(language()))
+        self.question.setText(f"<b>{words}</b>")
+        if question.name == "bed" and self.proposal.found.bodies.get("F"):
+            part = max(self.proposal.found.bodies["F"], key=lambda u: u.bulk)
+            self._button(Message("propose-choice-yes").text(language()), lambda: self._say("bed", part))
         elif question.kind == "travel":
             name = question.name.partition(":")[2]
-            travel = self.proposal.found.axes[name].travel
-            self._button(Message("propose-panel-keep"), lambda: self._say(question.name, travel))
-        for value, message in question.choices:
-            self._button(message, lambda v=value: self._say(question.name, v))
+            low, high = (number_box(-1e6, 1e6, 1, 10, " mm") for _ in range(2))
+            for box, value in zip((low, high), self.proposal.found.axes[name].travel):
+                box.setValue(value)
+                self._fields.addWidget(box, 1)
+            self._fields.insertWidget(1, QtGui.QLabel("…"))
+            words = Message("propose-panel-keep").text(language())
+            keep = self._button(words, lambda: self._say(question.name, (low.value(), high.value())))
 
-    def _button(self, message: Message, press) -> None:
-        button = QtGui.QPushButton(message.text(language()))
+            def valid(*_):
+                keep.setEnabled(low.value() < high.value())
+
+            low.valueChanged.connect(valid)
+            high.valueChanged.connect(valid)
+        for value, message in question.choices:
+            self._button(message.text(language()), lambda v=value: self._say(question.name, v))
+        skip = self._button(translate("Sens", "Skip"), self.skip)
+        skip.setObjectName("SensSkip")
+        skip.setToolTip(translate("Sens", "Leaves the question open"))
+
+    def _button(self, text: str, press):
+        button = QtGui.QPushButton(text)
         button.setObjectName("SensAnswer")
         button.clicked.connect(lambda *_: press())
-        self.buttons.addWidget(button)
+        count = self.buttons.count()
+        columns = 3 if max(len(text), *(len(b.text()) for b in self._shown_buttons()), 0) < 16 else 2
+        self.buttons.addWidget(button, count // columns, count % columns)
+        return button
 
-    def take(self) -> None:
-        """The selected parts answer the question."""
-        links = [link for link in selected_links() if link not in self.lit]
-        if self.asked is None:
-            return
-        if not links:
-            self.question.setText(_safe(Message("propose-panel-select").text(language())))
-            return
+    def _shown_buttons(self) -> list:
+        return [self.buttons.itemAt(i).widget() for i in range(self.buttons.count())]
+
+    def _hint(self) -> None:
+        part = self.asked is not None and self.asked.kind in ("part", "parts")
+        self.hint.setVisible(part)
+        if part and self.armed:
+            self.hint.setText(translate("Sens", "Click it in the 3D view or the tree."))
+        elif part:
+            link = translate("Sens", "Answer by a click")
+            self.hint.setText(f'<a href="arm">{link}</a>')
+
+    def arm(self, *_) -> None:
+        """The next click on a part answers the question."""
+        self.armed = self.asked is not None
+        self._hint()
+
+    def disarm(self) -> None:
+        """Clicks are meant for something else; the question stays."""
+        self.armed = False
+        self._hint()
+
+    def skip(self) -> None:
+        """Leave the question open, and go on to the next."""
+        if self.asked is not None:
+            self.later.append(self.asked.name)
+            self._ask()
+
+    def clicked(self, links) -> bool:
+        """Parts were clicked in the view: whether that answers the question."""
+        links = [link for link in links if link not in self.lit]
+        if not self.armed or self.asked is None or not links:
+            return False
+        if not pins(self.proposal.found.document, {self.asked.name: links}, self.asked.name):
+            return False  # no part of the machine
         self._say(self.asked.name, links)
+        return True
 
     def _say(self, name: str, value) -> None:
         self.answers[name] = value
-        self._answer(name, value)
+        self.said.append(name)
+        self._answer()
+
+    def undo(self) -> None:
+        """Take the last answer back: its question is asked again."""
+        if self.said:
+            self.answers.pop(self.said.pop(), None)
+            self._answer()
+
+    @property
+    def axis(self) -> str:
+        """The axis that the question is about, or ""."""
+        kind, _, name = self.asked.name.partition(":") if self.asked is not None else ("", "", "")
+        return name if kind in ("travel", "direction") else ""
 
     # -- the reasons -------------------------------------------------------------------------------------------------
     def look_at(self, body: str) -> None:
@@ -163,7 +272,10 @@ class ProposalNote(QtGui.QFrame):
         if not self.given:
             return
         found = self.proposal.found
-        head = Message("propose-panel-check" if found.axes else "propose-panel-nothing")
+        looking = not self.looking.isHidden() and not found.axes
+        head = Message(
+            "propose-panel-looking" if looking else "propose-panel-check" if found.axes else "propose-panel-nothing"
+        )
         lines = [f"<b>{_safe(head.text(language()))}</b>"]
         for subject, title in (
             ("structure", translate("Sens", "Structure")), ("tool point", translate("Sens", "Tool point")),
@@ -179,23 +291,6 @@ class ProposalNote(QtGui.QFrame):
             lines.append(translate("Sens", "Not looked at yet: {names}").format(names=_safe(names)))
         self.label.setText("<br>".join(lines))
 
-    def directions_box(self, take):
-        """A choice of all directions that the geometry suggests, or None; `take(AxisProposal)` answers it."""
-        found = self.proposal.directions
-        if not found:
-            return None
-        texts = [f"{vector_words(a.direction, 3)}  {a.why.text(language())}" for a in found]
-        box = combo([(-1, translate("Sens", "Choose …")), *enumerate(texts)])
-        box.setToolTip(translate("Sens", "Directions of rails, screws and long edges, the longest first"))
-
-        def chosen(row):
-            if row > 0:
-                take(found[row - 1])
-                box.setCurrentIndex(0)
-
-        box.activated.connect(chosen)
-        return box
-
 
 def _words(piece) -> str:
     return _safe(piece.text(language()) if isinstance(piece, Message) else str(piece))
@@ -203,30 +298,3 @@ def _words(piece) -> str:
 
 def _safe(text: str) -> str:
     return text.replace("&", "&amp;").replace("<", "&lt;")
-
-
-@contextmanager
-def watch():
-    """A progress(done, all) that shows a dialog with Cancel after a while, and raises Cancelled there."""
-    dialog = QtGui.QProgressDialog(
-        translate("Sens", "Looking for rails, screws, and what touches them…"), translate("Sens", "Cancel"), 0, 100,
-        main_window(),
-    )  # fmt: skip
-    dialog.setObjectName("SensLooking")
-    dialog.setWindowTitle("Sens Workbench")
-    dialog.setWindowModality(Qt.ApplicationModal)
-    dialog.setMinimumDuration(400)
-
-    def progress(done: int, total: int) -> bool:
-        dialog.setMaximum(max(1, total))
-        dialog.setValue(done)
-        QtGui.QApplication.processEvents()
-        if dialog.wasCanceled():
-            raise Cancelled
-        return False
-
-    try:
-        yield progress
-    finally:
-        dialog.close()
-        dialog.deleteLater()

@@ -279,6 +279,8 @@ class Settings(QtGui.QScrollArea):
             if name == "ErrorMapAs" and value not in view.getEnumerationsOfProperty(name):  # of an earlier version
                 view.ErrorMapAs = map_forms(display.sliding_axes(self.machine))
             setattr(view, name, value)
+            if name == "LegendCorner" and hasattr(view, "LegendPlace"):
+                view.LegendPlace = (0, 0, 0)  # in the corner itself
             display.update(result)
 
         messages.change(result.Document, translate("Sens", "Look of the result"), change)

@@ -15,22 +15,24 @@ import FreeCADGui as Gui
 from ..core.errors import AXES
 from ..core.machine import structure_chains
 from ..core.refusal import Refused
-from ..core.workspace import Cancelled
 from ..document import factory, geometry, paths, refresh, tips, tree
 from ..document.base import kind_of
 from ..document.objects import DIRECTION_CHOICES, REFERENCE_CHOICES
 from ..document.propose import building, engine
-from . import messages, pointers, proposal, settings
+from . import messages, pointers, proposal, settings, state
 from .command import Command, Where, command
 from .current import current_machine
+from .looking import Look
 from .panel import Panel
 from .panel import rows as form_rows
 from .panel import show as show_panel
+from .picking import Picks
 from .preferences import combo, number_box, read_field, write_field
-from .proposal_note import ProposalNote, watch
+from .proposal_note import ProposalNote
 from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .sources import Source, along_choices, reference_choices, source_words, vector_words
 from .texts import body_kind, point_text
+from .trial import Trial
 
 MOST_LISTED = 4  # axes: of more the structures are too many for a list
 
@@ -63,11 +65,14 @@ class TaskMachine(Panel):
     holds_transaction = True
 
     def __init__(self, machine, body: str | None = None, proposed: proposal.Shown | None = None):
-        self.machine, self.document = machine, machine.Document
+        self.machine, self.document, self._name = machine, machine.Document, machine.Document.Name
         self.names = tree.joint_names(tree.bodies(machine)) or AXES
         self.bodies = ("F", *self.names, "T", "W")
         self.body = body or "F"
         self._quiet = False
+        self.over = False  # the panel was closed
+        self.mine: dict[tuple, object] = {}  # (body, property) -> what the person has chosen in the panel
+        self.awaited = None  # what the next click in the view is for: a function, or None
         self.end_of = False  # an end was taken where a side was pointed at
         self.make_form("SensMachine", machine.Label, "SensWorkbench")
         layout = QtGui.QVBoxLayout(self.form)
@@ -77,10 +82,13 @@ class TaskMachine(Panel):
         self.note.setObjectName("SensNote")
         self.note.setWordWrap(True)
         layout.addWidget(self.note)
+        self.trial = Trial(lambda: self.machine, lambda: self.body if self.body in self.names else "", self._say)
+        layout.addWidget(self.trial)
         layout.addWidget(self._chains())
         layout.addWidget(self._bodies())
         layout.addWidget(self._page())
         layout.addStretch(1)
+        self.picks = Picks(self.document, self._clicked)
         self.show()
 
     def _structures(self) -> list[str]:
@@ -114,15 +122,31 @@ class TaskMachine(Panel):
         rows.addRow(translate("Sens", "Squareness"), self.squareness)
         return group
 
-    def _answered(self, name: str, value) -> None:
-        """A question was answered: weigh the rest again, and build the machine anew from it."""
-        doc, found = self.document, self.guess.proposal.found
+    # -- the proposal ------------------------------------------------------------------------------------------------
+    def _answered(self) -> None:
+        """Answers have changed: weigh the rest again, and build the machine anew from it."""
+        found = self.guess.proposal.found
+        if found.state is not None:
+            self._rebuild(engine.again(found, self.guess.answers))
+
+    def looked(self, found, *, last: bool = True) -> None:
+        """More is known of the document: fill it in, what the person has said stays.  None: the look was stopped."""
+        if last:
+            self.guess.look(None)
+        if found is not None:
+            self._rebuild(engine.again(found, self.guess.answers) if last and self.guess.answers else found)
+
+    def _rebuild(self, found) -> None:
+        """The machine of another proposal in place of this one, with all that the person has chosen."""
+        doc, body = self.document, self.body
+        self.trial.back()
         pointers.clear(self.machine)
         label = self.machine.Label
-        building.unbuild(doc, found)
-        found = engine.again(found, self.guess.answers)
-        self.machine, shown = proposal.make(doc, found, label)
-        settings.give(self.machine)
+        with state.quietly(doc):
+            building.unbuild(doc, self.guess.proposal.found)
+            self.machine, shown = proposal.make(doc, found, label)
+            settings.give(self.machine)
+            self._put_back()
         self.names = tree.joint_names(tree.bodies(self.machine)) or AXES
         self.bodies = ("F", *self.names, "T", "W")
         self._quiet = True
@@ -132,9 +156,68 @@ class TaskMachine(Panel):
         self.table.clear()
         self._fill_bodies()
         self._quiet = False
-        self.body = "F"
+        self.body = body if body in self.bodies else "F"
         self.guess.renew(shown)
+        self._suggest()
+        for chosen, name in self.mine:
+            subject = {"ToolPoint": "tool point", "Structure": "structure"}.get(name, chosen)
+            self.guess.drop(subject, name)
         self.show()
+
+    def _put_back(self) -> None:
+        """What the person has chosen in the panel, on a machine that was made anew."""
+        for (body, name), value in self.mine.items():
+            owner = self.machine if body == "F" else tree.body_of(self.machine, body)
+            if owner is None and body in ("T", "W"):
+                owner = factory.make_body(self.machine, body)
+            try:
+                if name == "Structure":
+                    self._chain(value)
+                elif name == "Parts":
+                    self._take_from_others(body, paths.places(value))
+                    setattr(owner, "Bed" if body == "F" else "Parts", value)
+                elif owner is not None:
+                    setattr(owner, name, value)
+            except Refused as error:
+                messages.status(messages.words(error))
+
+    def _chain(self, code: str) -> None:
+        """Another order of bed and axes, where the machine has these axes."""
+        workpiece, tool = structure_chains(code)
+        if sorted((*workpiece, *tool)) == sorted((*self.machine.WorkpieceChain, *self.machine.ToolChain)):
+            self.machine.WorkpieceChain, self.machine.ToolChain = list(workpiece), list(tool)
+
+    def _clicked(self, links) -> None:
+        """Parts were clicked in the view: they answer what was waited for, or the question."""
+        awaited, self.awaited = self.awaited, None
+        links = [link for link in links if not kind_of(link[0])]
+        if awaited is not None and links:
+            awaited()
+        elif self.guess.clicked(links):
+            with state.quietly(self.document):
+                Gui.Selection.clearSelection()
+
+    def _await(self, function) -> bool:
+        """Whether nothing is selected, so that the next click in the view is for this."""
+        if [link for link in proposal.selected_links() if not kind_of(link[0]) and link not in self.guess.lit]:
+            return False
+        self.awaited = function
+        self.guess.disarm()
+        self.note.setText(translate("Sens", "Click it in the 3D view or the tree."))
+        self.note.setStyleSheet("")
+        self.note.setVisible(True)
+        return True
+
+    def _suggest(self) -> None:
+        """Fill the choice of the directions that the geometry suggests."""
+        found = self.guess.proposal.directions
+        texts = [f"{vector_words(a.direction, 3)}  {a.why.text(proposal.language())}" for a in found]
+        self.suggested.clear()
+        self.suggested.addItem(translate("Sens", "Choose …"), -1)
+        for row, text in enumerate(texts):
+            self.suggested.addItem(text, row)
+        for widget in (self.suggested, self.suggested_label):
+            widget.setVisible(bool(found))
 
     def _fill_bodies(self) -> None:
         for body in self.bodies:
@@ -184,9 +267,13 @@ class TaskMachine(Panel):
         line.addWidget(self.reverse)
         rows.addRow(translate("Sens", "Direction from"), self.direction)
         rows.addRow("", line)
-        self.suggested = self.guess.directions_box(self._take_suggested)
-        if self.suggested is not None:
-            rows.addRow(translate("Sens", "Suggested"), self.suggested)
+        self.suggested = combo([(-1, translate("Sens", "Choose …"))])
+        self.suggested.setMinimumContentsLength(16)
+        self.suggested.setToolTip(translate("Sens", "Directions of rails, screws and long edges, the longest first"))
+        self.suggested.activated.connect(self._suggestion_chosen)
+        self.suggested_label = QtGui.QLabel(translate("Sens", "Suggested"))
+        rows.addRow(self.suggested_label, self.suggested)
+        self._suggest()
         self.reference = Source(self._take_reference, lambda: self._set_source("ReferenceSource", None))
         self.at = combo(list(zip(REFERENCE_CHOICES, reference_choices())))
         self.at.currentIndexChanged.connect(lambda *_: self._set_on_body("ReferenceAt", read_field(self.at)))
@@ -207,8 +294,7 @@ class TaskMachine(Panel):
         self.found.setWordWrap(True)
         self.found.setTextInteractionFlags(Qt.TextSelectableByMouse)
         rows.addRow(self.found)
-        self._axis_only = [self.direction, self.along, self.reverse, self.lower, self.upper]
-        self._axis_only += [self.suggested] if self.suggested is not None else []
+        self._axis_only = [self.direction, self.along, self.reverse, self.suggested, self.lower, self.upper]
         self._body_only = [self.reference, self.at]
         return self.page
 
@@ -272,13 +358,20 @@ class TaskMachine(Panel):
             self.note.setText(refresh.problem_text(machine, messages.language()) or self._skew_words())
             self.note.setStyleSheet("color: #c0392b" if machine.Problem else "")
             self.note.setVisible(bool(self.note.text()))
+            self.trial.show_axis()
         finally:
             self._quiet = False
         pointers.forget(machine)
         if self.body != "F":
             pointers.show(machine, [self.body], tool=True)
-        else:  # a proposal begins with all of its axes in view
-            pointers.show(machine, self.names if self.guess.given else [], tool=True)
+        else:  # a proposal begins with all of its axes in view, or the one that is asked about
+            axes = [self.guess.axis] if self.guess.axis in self.names else self.names if self.guess.given else []
+            pointers.show(machine, axes, tool=True, offsets=False)
+
+    def _say(self, text: str) -> None:
+        """A sentence in the line for what is missing."""
+        self.note.setText(text)
+        self.note.setVisible(True)
 
     def _found_words(self, owner) -> str:
         if self.body == "F" or owner is None or self.machine.Problem:
@@ -304,32 +397,38 @@ class TaskMachine(Panel):
     # -- changing ----------------------------------------------------------------------------------------------------
     def _body_chosen(self, item, *_):
         if not self._quiet and item is not None:
+            self.trial.back()
             self.body = item.data(0, Qt.UserRole)
+            self.awaited = None
+            self.guess.disarm()
             self.guess.look_at(self.body)
             self.show()
-            self.guess.light_up(self.machine, self.body)
+            with state.quietly(self.document):
+                self.guess.light_up(self.machine, self.body)
 
     def _try(self, function) -> None:
         """Change something; a refusal is shown and everything else stays."""
         if self._quiet:
             return
+        self.trial.back()
         try:
             function()
         except Refused as error:
             self.show()
-            self.note.setText(messages.words(error))
-            self.note.setVisible(True)
+            self._say(messages.words(error))
             return
         self.show()
 
     def _set(self, name, value):
         if not self._quiet and getattr(self.machine, name) != value:
+            self.mine["F", name] = value
             self._try(lambda: setattr(self.machine, name, value))
 
     def _set_on_body(self, name, value):
         owner = self.owner
         if not self._quiet and owner is not None and hasattr(owner, name):
             self.guess.drop(self.body, name)
+            self.mine[self.body, name] = value
             self._try(lambda: setattr(owner, name, value))
             self._told(name)
 
@@ -345,9 +444,9 @@ class TaskMachine(Panel):
 
     def _structure_changed(self, *_):
         def change():
-            workpiece, tool = structure_chains(read_field(self.structure))
             self.guess.drop("structure")
-            self.machine.WorkpieceChain, self.machine.ToolChain = list(workpiece), list(tool)
+            self.mine["F", "Structure"] = read_field(self.structure)
+            self._chain(self.mine["F", "Structure"])
 
         self._try(change)
 
@@ -355,8 +454,7 @@ class TaskMachine(Panel):
         """The selected parts become the chosen component, or are added to it."""
         chosen = [link for link in proposal.selected_links() if not kind_of(link[0])]
         if not chosen:
-            self.note.setText(translate("Sens", "Select one or more parts in the view or the tree first."))
-            self.note.setVisible(True)
+            self._await(lambda: self.take_parts(keep=keep))
             return
         self.set_parts(([*self.links(self.body)] if keep else []) + chosen)
 
@@ -365,7 +463,8 @@ class TaskMachine(Panel):
 
         def change():
             value = paths.as_links(links)
-            self._take_from_others(paths.places(value))
+            self._take_from_others(self.body, paths.places(value))
+            self.mine[self.body, "Parts"] = value
             self.guess.drop(self.body, "Parts")
             self.guess.told(f"body:{self.body}", links)
             if self.body == "F":
@@ -377,12 +476,12 @@ class TaskMachine(Panel):
 
         self._try(change)
 
-    def _take_from_others(self, chosen) -> None:
+    def _take_from_others(self, receiver: str, chosen) -> None:
         """A part that is given to one component leaves the others."""
         keys = {where.key for where in chosen}
-        for body in self.bodies:
+        for body in ("F", *tree.joint_names(tree.bodies(self.machine)), "T", "W"):
             owner = self.machine if body == "F" else tree.body_of(self.machine, body)
-            if body == self.body or owner is None:
+            if body == receiver or owner is None:
                 continue
             before = paths.places(self.links(body))
             kept = [w for w in before if not any(w.key[:n] in keys for n in range(1, len(w.key) + 1))]
@@ -405,9 +504,12 @@ class TaskMachine(Panel):
         return paths.as_sub(chosen[0])
 
     def _take_tool_point(self):
+        if self._await(self._take_tool_point):
+            return
+
         def change():
             found = tips.tip(self._one(), *self._tool())
-            self.machine.ToolPoint = found.link
+            self.machine.ToolPoint = self.mine["F", "ToolPoint"] = found.link
             self.end_of = found.moved
             self.guess.drop("tool point")
 
@@ -438,10 +540,12 @@ class TaskMachine(Panel):
         return "\n".join(lines)
 
     def _take_direction(self):
-        self._try(lambda: self._put_source("DirectionSource", self._one()))
+        if not self._await(self._take_direction):
+            self._try(lambda: self._put_source("DirectionSource", self._one()))
 
     def _take_reference(self):
-        self._try(lambda: self._put_source("ReferenceSource", self._one()))
+        if not self._await(self._take_reference):
+            self._try(lambda: self._put_source("ReferenceSource", self._one()))
 
     def _set_source(self, name, value):
         self._try(lambda: self._put_source(name, value))
@@ -452,16 +556,25 @@ class TaskMachine(Panel):
             owner = factory.make_body(self.machine, self.body)
         if owner is not None and hasattr(owner, name):
             setattr(owner, name, value)
+            self.mine[self.body, name] = value
             self.guess.drop(self.body, name)
             self.document.recompute()
             self._told(name)
+
+    def _suggestion_chosen(self, row: int) -> None:
+        if row > 0:
+            self._take_suggested(self.guess.proposal.directions[row - 1])
+            self.suggested.setCurrentIndex(0)
 
     def _take_suggested(self, axis) -> None:
         """One of the directions that the geometry suggests becomes that of the chosen axis."""
 
         def change():
-            self.owner.DirectionSource, self.owner.DirectionAlong = paths.as_sub(axis.source), DIRECTION_CHOICES[0]
-            self.owner.Reverse = axis.reverse
+            chosen = {"DirectionSource": paths.as_sub(axis.source), "DirectionAlong": DIRECTION_CHOICES[0],
+                      "Reverse": axis.reverse}  # fmt: skip
+            for name, value in chosen.items():
+                setattr(self.owner, name, value)
+                self.mine[self.body, name] = value
             self.guess.drop(self.body, "DirectionSource", axis.why)
 
         if self.body in self.names:
@@ -469,6 +582,7 @@ class TaskMachine(Panel):
 
     # -- the panel ---------------------------------------------------------------------------------------------------
     def accept(self):
+        self.trial.back()
         self.document.recompute()
         problem = refresh.problem_text(self.machine, messages.language())
         if problem:
@@ -479,7 +593,11 @@ class TaskMachine(Panel):
         return True
 
     def leave(self):
-        self.guess.release()
+        self.over = True
+        self.trial.stop()
+        self.picks.stop()
+        with state.quietly(self._name):
+            self.guess.release()
         pointers.clear(self.machine)
 
     def reject(self):
@@ -490,28 +608,29 @@ class TaskMachine(Panel):
 
 
 def new_machine(doc):
-    """Propose a machine for the selection (or the document) in a transaction and open the panel; None if stopped.
+    """Propose a machine for the selection (or the document) in a transaction and open the panel; None if it was closed.
 
-    Refuses a document without parts.
+    What takes more than a second to look at is looked at behind the open panel.  Refuses a document without parts.
     """
-    if not proposal.selected_links() and not proposal.candidates(doc):
+    selected = proposal.selected_links()
+    if not selected and not proposal.candidates(doc):
         raise Refused("gui-no-parts", doc.Label)
     doc.openTransaction(translate("Sens", "Machine from selection"))
-    try:
-        with watch() as progress:
-            found = engine.propose(doc, proposal.selected_links(), progress=progress)
+
+    def open_panel(found):
         machine, shown = proposal.make(doc, found, translate("Sens", "Machine"))
         settings.give(machine)
         panel = TaskMachine(machine, proposed=shown)
-    except Cancelled:
-        doc.abortTransaction()
-        messages.status(translate("Sens", "Cancelled; nothing was changed"))
-        return None
-    except Refused:
-        doc.abortTransaction()
+        show_panel(panel, doc)
+        return panel
+
+    look = Look(open_panel)
+    try:
+        return look.run(doc, selected)
+    except BaseException:
+        if look.panel is None:
+            doc.abortTransaction()
         raise
-    show_panel(panel, doc)
-    return panel
 
 
 def edit_machine(machine, body: str | None = None):

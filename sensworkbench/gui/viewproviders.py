@@ -93,6 +93,7 @@ class ViewProviderSensitivity(ViewProviderSens):
         add("Float", "RangeUpper", "Value of the highest colour", settings.get("RangeUpper"))
         add("Bool", "ShowLegend", "Show the legend in the view and in saved images", True)
         add("Enumeration", "LegendCorner", "Where the legend stands", settings.get("LegendCorner"), CORNERS)
+        add("Vector", "LegendPlace", "How far the legend was dragged from its corner, in halves of the view", (0, 0, 0))
         add("Bool", "ShowErrorMap", "Show the volumetric error over the workspace", False)
         add("Enumeration", "ErrorMapShows", "Root of the mean square, or two standard deviations of Y above the mean",
             MAP_SHOWS[0], MAP_SHOWS)  # fmt: skip
@@ -103,12 +104,18 @@ class ViewProviderSensitivity(ViewProviderSens):
     def attach(self, vobj):
         super().attach(vobj)
         self.legend, self.map = Legend(), ErrorMap()
+        self.legend.placed = self._legend_dragged
         self._waiting = False
         group = coin.SoGroup()
         group.addChild(self.map.root)
         group.addChild(self.legend.root)
         vobj.addDisplayMode(group, "Legend")
         self.schedule(later)  # an opened document is adopted first
+
+    def _legend_dragged(self, offset):
+        view = self.object.ViewObject if self.object is not None else None
+        if hasattr(view, "LegendPlace"):
+            view.LegendPlace = (*offset, 0)
 
     def getDisplayModes(self, vobj):
         return ["Legend"]
@@ -170,7 +177,7 @@ _SHOWN = {
     "MeanSquare",
     *(name for names in COLOUR_BY.values() for name in names),
 }
-_VIEW = {*VIEW_PROPERTIES, "Visibility"}
+_VIEW = {*VIEW_PROPERTIES, "LegendPlace", "Visibility"}
 
 PROVIDERS = {
     "Machine": ViewProviderMachine,

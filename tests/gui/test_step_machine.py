@@ -14,9 +14,11 @@ from sensworkbench.core.workspace import Cancelled
 from sensworkbench.document import examples, tree
 from sensworkbench.document.paths import leaves
 from sensworkbench.document.propose import engine
-from sensworkbench.gui import proposal_note, task_machine
+from sensworkbench.gui import looking, task_machine
+from sensworkbench.gui.preferences import write_field
 from sensworkbench.gui.qt import QtGui, main_window, pump
 
+from ..document.machines.plain import wooden_router
 from .conftest import differences, look, messages, run, screenshot, state
 from .test_commands import click
 from .test_panels import width  # noqa: F401 - room for the panel
@@ -212,7 +214,7 @@ def test_looking_for_contacts_can_be_stopped_and_leaves_nothing(doc, workbench, 
     insert(doc, files[0] / "compound.step")
     before, undos = state(doc), doc.UndoCount
 
-    def stop(doc, selection, progress):
+    def stop(doc, selection, progress, early):
         assert progress(0, 10) is False
         raise Cancelled
 
@@ -220,11 +222,117 @@ def test_looking_for_contacts_can_be_stopped_and_leaves_nothing(doc, workbench, 
     run("Sens_Machine")
     assert not Gui.Control.activeDialog() and messages() == []
     assert differences(before, state(doc)) == [] and doc.UndoCount == undos
-    monkeypatch.undo()
-    with pytest.raises(Cancelled), proposal_note.watch() as progress:
-        dialog = main_window().findChildren(QtGui.QProgressDialog, "SensLooking")[-1]
-        dialog.cancel()
-        progress(1, 10)
+
+
+def during_the_look(monkeypatch, act):
+    """The panel opens at once, and `act(panel)` is done as soon as the names are read."""
+    monkeypatch.setattr(looking, "PATIENCE", 0.0)
+    monkeypatch.setattr(looking, "TURN", 0.0)
+    read = looking.Look.read
+
+    def then(self, names):
+        read(self, names)
+        act(self.panel)
+
+    monkeypatch.setattr(looking.Look, "read", then)
+
+
+def test_the_panel_is_used_while_shapes_are_looked_at_and_what_is_chosen_stays(doc, workbench, tmp_path, monkeypatch):
+    wooden_router(doc, tmp_path)
+    App.setActiveDocument(doc.Name)
+    look(doc)
+    seen = []
+
+    def act(shown):
+        assert shown.guess.looking.isVisible() and shown.form.isVisible()
+        screenshot("machine-looking")
+        seen.append(shown.guess.proposal.found.structure)
+        shown.table.setCurrentItem(shown.table.topLevelItem(1 + shown.names.index("X")))
+        shown.upper.setValue(77.0)
+        write_field(shown.squareness, "carried")
+
+    during_the_look(monkeypatch, act)
+    shown = task_machine.new_machine(doc)
+    assert seen and not shown.guess.looking.isVisible()
+    assert shown.machine.Structure == "FYXZ" and shown.guess.proposal.found.axes["Y"].confidence > 0.5
+    assert tree.axis_of(shown.machine, "X").TravelUpper.Value == 77.0 and shown.body == "X"
+    assert shown.machine.Squareness == "carried" and len(tree.machines(doc)) == 1
+    click("Cancel")
+    assert not tree.machines(doc)
+
+
+def test_cancel_in_the_bar_keeps_what_names_say(doc, workbench, tmp_path, monkeypatch):
+    wooden_router(doc, tmp_path)
+    App.setActiveDocument(doc.Name)
+    during_the_look(monkeypatch, lambda shown: shown.form.findChild(QtGui.QPushButton, "SensStopLooking").click())
+    shown = task_machine.new_machine(doc)
+    assert shown is not None and not shown.guess.looking.isVisible()
+    assert [w.label for w in tree.parts_of(shown.machine, "F")] == ["Base"]
+    click("Cancel")
+
+
+def test_a_panel_closed_during_the_look_leaves_nothing(doc, workbench, tmp_path, monkeypatch):
+    wooden_router(doc, tmp_path)
+    App.setActiveDocument(doc.Name)
+    before = state(doc)
+    during_the_look(monkeypatch, lambda shown: click("Cancel"))
+    assert task_machine.new_machine(doc) is None
+    assert differences(before, state(doc)) == []
+
+
+def test_a_router_of_four_links_takes_eight_clicks_and_moves_before_anything_is_computed(doc, workbench, tmp_path):
+    wooden_router(doc, tmp_path, ("PartA", "PartB", "PartC", "PartD"))
+    App.setActiveDocument(doc.Name)
+    look(doc)
+    shown = task_machine.new_machine(doc)
+    clicks = 1
+    while shown.guess.asked is not None:
+        assert shown.guess.asked.name == "tool" and shown.guess.armed
+        screenshot("machine-question")
+        Gui.Selection.addSelection(doc.Name, "PartD", doc.getObject("PartD").LinkedObject.Group[0].Name + ".Face1")
+        pump(50)
+        clicks += 1
+    before = {n: doc.getObject(n).Placement.Base for n in ("PartA", "PartB", "PartC", "PartD")}
+    shown.table.setCurrentItem(shown.table.topLevelItem(1 + shown.names.index("Y")))
+    clicks += 1
+    shown.trial.slider.setSliderDown(True)
+    shown.trial.slider.setValue(shown.trial.slider.maximum())
+    clicks += 1
+    moved = {n: doc.getObject(n).Placement.Base - at for n, at in before.items()}
+    screenshot("machine-moves")
+    assert moved["PartA"].Length == 0 and all(moved[n].y > 100 for n in ("PartB", "PartC", "PartD"))
+    shown.trial.slider.setSliderDown(False)
+    assert all((doc.getObject(n).Placement.Base - at).Length < 1e-9 for n, at in before.items())
+    click("Ok")
+    clicks += 1
+    machine = tree.machine_of(doc)
+    assert machine.Structure == "FYXZ" and not machine.Problem and clicks <= 8
+    assert all((doc.getObject(n).Placement.Base - at).Length < 1e-9 for n, at in before.items())
+
+
+def test_all_axes_play_one_after_the_other_and_stand_where_they_stood(doc, workbench, tmp_path, monkeypatch):
+    wooden_router(doc, tmp_path)
+    App.setActiveDocument(doc.Name)
+    shown = task_machine.new_machine(doc)
+    reached = {}
+    move = shown.trial.move
+
+    def watch(position):
+        for name, value in position.items():
+            low, high = reached.get(name, (value, value))
+            reached[name] = min(low, value), max(high, value)
+        return move(position)
+
+    monkeypatch.setattr(shown.trial, "move", watch)
+    shown.trial.all.click()
+    start = time.monotonic()
+    while shown.trial._timer.isActive() and time.monotonic() - start < 60:
+        pump(50)
+    for name in "XYZ":
+        axis = tree.axis_of(shown.machine, name)
+        assert reached[name] == pytest.approx((axis.TravelLower.Value, axis.TravelUpper.Value), rel=0.02)
+        assert axis.Position.Value == 0.0
+    click("Cancel")
 
 
 def test_parts_that_were_drawn_here_are_proposed_by_their_names_and_never_called_sure(doc, workbench):
@@ -234,7 +342,7 @@ def test_parts_that_were_drawn_here_are_proposed_by_their_names_and_never_called
     shown = task_machine.new_machine(doc)
     found = shown.guess.proposal.found
     assert found.structure == "XYFZ" and max(a.confidence for a in found.axes.values()) < 0.75
-    assert not shown.guess.isHidden() and shown.suggested is None
+    assert not shown.guess.isHidden() and shown.suggested.isHidden()
     click("Cancel")
 
 
@@ -254,9 +362,13 @@ def test_questions_are_answered_one_at_a_time_and_the_rest_is_weighed_anew(doc, 
         asked.append(name)
         Gui.Selection.clearSelection()
         Gui.Selection.addSelection(doc.Name, {"bed": "A", "body:X": "B", "body:Y": "C", "body:Z": "D"}[name], "Face1")
-        shown.guess.findChildren(QtGui.QPushButton, "SensAnswer")[0].click()
         pump(20)
-        clicks += 2
+        clicks += 1
+        if name == "body:X":  # the same again, after it was taken back
+            shown.guess.findChild(QtGui.QPushButton, "SensUndoAnswer").click()
+            assert shown.guess.asked.name == "body:X"
+            Gui.Selection.addSelection(doc.Name, "B", "Face1")
+            pump(20)
     assert asked == ["bed", "body:X", "body:Y", "body:Z"] and clicks <= 12
     machine = tree.machine_of(doc)
     assert machine.Structure == "FXYZ" and [o.Label for o, _ in machine.Bed] == ["a"]

@@ -32,11 +32,13 @@ SECONDS = 14.0  # at most, on a busy computer; a machine of two hundred parts ta
 LIMIT = 18.0  # by the clock, however many parts there are
 
 
-def propose(doc, selection=(), answers=None, progress=None, seconds: float = SECONDS) -> Found:
+def propose(doc, selection=(), answers=None, progress=None, seconds: float = SECONDS, early=None) -> Found:
     """What a document proposes.  selection : links of what is to be looked at; nothing: the whole document.
 
     answers : `Question.name` -> what a person said, which is never overruled.  progress(done, all) : called often; a
     true answer stops, and raises Cancelled.  seconds : for the look at shapes; the rest is bounded by it too.
+    early(make) : called once when the parts are read, before what touches is examined; make(answers) is what names and
+    joints alone propose.
     """
     start = time.monotonic()
 
@@ -46,10 +48,19 @@ def propose(doc, selection=(), answers=None, progress=None, seconds: float = SEC
         return False
 
     document = read(doc, selection, 0.6 * seconds, lambda n, total: watch(0.5 * n, total))
+    if early is not None:
+        early(lambda said=None: weigh(glance(document, doc.Label), said))
     state = look(document, doc.Label, watch, max(start + LIMIT - 1.0, time.monotonic() + 2.0))
     found = weigh(state, answers)
     found.seconds = time.monotonic() - start
     return found
+
+
+def glance(document, title: str) -> State:
+    """A document of which only names, joints and boxes are known."""
+    state = look(document, title, lambda *_: False, float("-inf"))
+    state.found.cut_short = False
+    return state
 
 
 def again(found: Found, answers) -> Found:
