@@ -18,7 +18,7 @@ from ..messages import Refused
 from . import scores
 from .design import Term, design, run_labels
 from .fit import Fit, basis, fit, null_space
-from .freeform import normal_score
+from .freeform import f_score
 from .readings import Readings
 from .settings import DEFAULT, TraceSettings
 
@@ -48,16 +48,17 @@ def aligned(machine: Machine, readings: Readings, settings: TraceSettings = DEFA
     if len(runs) < 2:
         return replace(readings, alignment="once")
     shifted, tilted = (replace(readings, alignment=a) for a in ("offset per run", "per run"))
-    wide = fit(design(machine, tilted), tilted, settings=settings)
-    if wide.dof < settings.least_dof:
+    plain = fit(design(machine, shifted), shifted, settings=settings)
+    weight = plain.weight  # of both: a fit with many parameters takes the noise of one direction along
+    wide = basis(design(machine, tilted).matrix * weight[:, None])
+    dof = int(np.count_nonzero(weight)) - wide.rank
+    dims = wide.rank - plain.basis.rank
+    if dof < settings.least_dof or dims < 1:
         return shifted
-    weight = wide.weight > 0
-    narrow = basis(design(machine, shifted).matrix * wide.weight[:, None])
-    y = readings.value * wide.weight
-    gain = float(((y - narrow.ortho @ (narrow.ortho.T @ y)) ** 2).sum()) - wide.chi2
-    dims = wide.basis.rank - narrow.rank
+    y = readings.value * weight
+    left = float(((y - wide.ortho @ (wide.ortho.T @ y)) ** 2).sum())
     limit = NormalDist().inv_cdf(1 - settings.tilt)
-    return tilted if dims and weight.any() and normal_score(gain, dims) > limit else shifted
+    return tilted if f_score(plain.chi2 - left, dims, left, dof) > limit else shifted
 
 
 def declared_fit(machine: Machine, readings: Readings) -> Fit:

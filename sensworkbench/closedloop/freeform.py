@@ -107,6 +107,18 @@ def normal_score(gain: float, dims: int) -> float:
     return ((gain / dims) ** (1 / 3) - (1 - spread)) / spread**0.5
 
 
+def f_score(gain: float, dims: int, chi2: float, dof: float) -> float:
+    """A gain of `dims` coefficients beside a chi-square that is left, on `dof` degrees of freedom, as standard
+    deviations of a normal variate: Wilson-Hilferty for the F distribution, good from 3 degrees of freedom on.
+    """
+    if dims == 0:
+        return 0.0
+    ratio = (gain / dims) / max(chi2 / dof, 1e-300)
+    own, other = 2 / (9 * dims), 2 / (9 * dof)
+    root = ratio ** (1 / 3)
+    return ((1 - other) * root - (1 - own)) / (own + other * root**2) ** 0.5
+
+
 def normal_tail(gain: float, dims: int) -> float:
     """-log10 of the chi-square tail on `dims` degrees of freedom."""
     if dims == 2:

@@ -317,7 +317,11 @@ def _named(final: _Final, number: int, step: Step, effect, around) -> NamedEffec
     amplitude, amplitude_u = final.estimates.amplitude(number)
     match = physical(c.symbol, c.driver, c.shape)
     periods = tuple(aliases(final.state, c, final.others(step))) if c.shape.wave else ()
-    note = Message("finding-aliased", periods=[c.shape.period, *periods]) if periods else None
+    far = [driven_by(term) for rival, term in around if rival.why.code == "rival-far"]
+    if periods:
+        note = Message("finding-aliased", periods=[c.shape.period, *periods])
+    else:
+        note = Message("finding-by-tolerances", rivals=far[: final.state.settings.tries]) if far else None
     return NamedEffect(
         effect=effect,
         title=describe(c.symbol, c.driver, c.shape),

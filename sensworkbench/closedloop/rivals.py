@@ -22,6 +22,7 @@ from .problem import State, Step
 from .result import NextMeasurement, Rival
 from .scan import exact_gain
 from .search import ScoredTerm, handicap
+from .tolerances import plausible
 
 SAME_TRACE = 1 - 1e-9  # cosine of two columns, projected
 
@@ -35,7 +36,7 @@ def _place(c: ScoredTerm) -> tuple[str, str]:
     return c.symbol, str(c.driver)
 
 
-def _more_general(rival: ScoredTerm, finding: ScoredTerm) -> bool:
+def more_general(rival: ScoredTerm, finding: ScoredTerm) -> bool:
     """The same motion and columns through a shape with more freedom - but a warm-up is no padding of a trend."""
     if not _alike(rival.symbol, finding.symbol) or rival.shape.warm_up:
         return False
@@ -44,7 +45,10 @@ def _more_general(rival: ScoredTerm, finding: ScoredTerm) -> bool:
 
 
 def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
-    """Return the rivals of one effect in the model of the others, the physically most plausible first."""
+    """Return the rivals of one effect in the model of the others, the physically most plausible first.
+
+    The handicap of a rival's term holds what the machine's tolerances say against it (see `tolerances`).
+    """
     finding, settings, problem = step.candidate, state.settings, state.problem
     full = state.fit_with([*others, finding])
     rows = state.rows_with(full, others)
@@ -57,7 +61,7 @@ def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
         gain, coefficients, visible = exact_gain(rows, c.index, c.vectors(columns))
         loss = (finding.gain - gain) / alike
         c = replace(c, gain=gain, coefficients=coefficients, visible=visible)
-        if loss < settings.rival_range and not _more_general(c, finding):
+        if loss < settings.rival_range and not more_general(c, finding):
             pool.append((c, loss))
     group = next((g for g in problem.groups if finding.index in g), [])
     for i in group:  # bodies that move alike: nothing at the tool tells them apart
@@ -68,6 +72,10 @@ def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
                 pool.append((mirror, 0.0))
     if not pool:
         return []
+    seen = plausible(state, full, others, finding, [c for c, _ in pool])
+    against = dict(zip((c.key for c, _ in pool), np.maximum(seen.cost[1:] - seen.cost[0], 0.0).tolist()))
+    number = {c.key: k for k, (c, _) in enumerate(pool, start=1)}
+    pool = [(replace(c, handicap=c.handicap + against[c.key]), loss) for c, loss in pool]
     grams, base, mine = state.grams(full, others, [finding] + [c for c, _ in pool])
     reference = grams.held_out(base + mine[0])
     found: list[tuple[Rival, ScoredTerm]] = []
@@ -75,6 +83,8 @@ def rivals(state: State, step: Step, others) -> list[tuple[Rival, ScoredTerm]]:
     own = _trace_of(finding, rows, columns)
 
     def put(c: ScoredTerm, loss: float, why: Message, same: bool):
+        if against[c.key] > settings.tolerance_margin:
+            why = seen.far(number[c.key], why)
         found.append((Rival(c.symbol, str(c.driver), c.shape.name, float(loss), why, same), c))
 
     for (c, loss), place in sorted(zip(pool, mine[1:]), key=lambda item: (item[0][0].handicap, item[0][1])):

@@ -32,6 +32,7 @@ class TraceSettings:
     rival: float = _setting(9.0, CHI2, "what loses less after a refit is a rival (three standard errors)")
     rival_range: float = _setting(16.0, CHI2, "beyond it 'within two standard errors over blocks' says nothing")
     rival_errors: float = _setting(2.0, ERRORS, "of error on blocks left out within which a rival predicts as well")
+    tolerance_margin: float = _setting(4.0, CHI2, "that the tolerances must prefer an equal explanation by to name it")
     class_range: float = _setting(25.0, CHI2, "candidates so near are one class where half-samples vote")
     detectable: float = _setting(6.0, NATS, "evidence of a surface below it is no structure (odds of 400)")
     certain: float = _setting(25.0, NATS, "evidence far beyond a choice among some thousand surfaces")

@@ -21,6 +21,7 @@ from .declared import aligned, without_known_effects
 from .design import check_three_axes
 from .fit import Fit
 from .kept import MOST_AT_THE_END
+from .preference import preferred
 from .problem import Problem, State
 from .readings import Readings
 from .remainder import Rest, rest
@@ -69,7 +70,7 @@ def trace(
     state = straightened(review(state), tell)
     state = consistent(state)
     state = consistent(rescue(state, tell))
-    state = proved(polish(state))
+    state = proved(polish(preferred(state)))
     left = rest(state)
     if left.structured and not state.drifts:  # any surface of slow columns fits a drift
         whole = without_pieces(state)

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from sensworkbench.closedloop.declared import aligned
 from sensworkbench.closedloop.design import ALL_SYMBOLS, design
 from sensworkbench.closedloop.fit import correlation, fit
 from sensworkbench.closedloop.noise import memory_of
@@ -249,3 +250,14 @@ def test_the_order_of_readings_without_time_does_not_matter():
     assert other.residual == pytest.approx(one.residual[rows], abs=1e-12)
     assert other.chi2 == pytest.approx(one.chi2, rel=1e-9)
     assert (other.outliers == one.outliers[rows]).all()
+
+
+def test_runs_of_two_places_show_no_tilts_of_their_own():
+    """With as many parameters as readings the noise of a direction vanishes; a tilt is judged by the other model's."""
+    simulated, machine = both()
+    found = []
+    for seed in range(8):
+        readings = measured(simulated, scattered(120, seed), noise=0.4e-3, seed=seed)
+        readings = replace(readings, run=np.repeat(np.arange(60), 2).astype(str))
+        found.append(aligned(machine, readings).alignment)
+    assert found.count("offset per run") >= 7
