@@ -34,8 +34,11 @@ class Mutant:
     what: str
 
 
-def _changes(node: ast.AST):
-    """(words, function that makes the change in a copy of the node and returns what replaces it)."""
+def _changes(node: ast.AST, commutes: bool = False):
+    """(words, function that makes the change in a copy of the node and returns what replaces it).
+
+    commutes : the node is a product `@` of vectors.
+    """
 
     def name(cls):
         return cls.__name__
@@ -44,7 +47,7 @@ def _changes(node: ast.AST):
         other = SWAPPED.get(type(node.op))
         if other:
             yield f"{name(type(node.op))} -> {name(other)}", lambda n: _set(n, "op", other())
-        elif isinstance(node, ast.BinOp) and ast.dump(node.left) != ast.dump(node.right):
+        elif isinstance(node, ast.BinOp) and not commutes and ast.dump(node.left) != ast.dump(node.right):
             yield "MatMult: sides exchanged", lambda n: _set(_set(n, "left", n.right), "right", node.left)
     if isinstance(node, ast.Compare):
         for i, op in enumerate(node.ops):
@@ -64,7 +67,7 @@ def _changes(node: ast.AST):
         elif isinstance(v, int):
             yield f"{v} -> {v + 1}", lambda n: ast.Constant(v + 1)
         elif isinstance(v, float):
-            new = v * 1.5 if v else 1.0
+            new = _other(v)
             yield f"{v} -> {new}", lambda n: ast.Constant(new)
     if isinstance(node, ast.Attribute) and node.attr in RENAMED and isinstance(node.ctx, ast.Load):
         yield f"{node.attr} -> {RENAMED[node.attr]}", lambda n: _set(n, "attr", RENAMED[n.attr])
@@ -78,6 +81,13 @@ def _changes(node: ast.AST):
         yield "continue -> break", lambda n: ast.Break()
     if isinstance(node, ast.Break):
         yield "break -> continue", lambda n: ast.Continue()
+
+
+def _other(v: float) -> float:
+    """Half as much again; a tolerance, or a guard against division by zero, so large that it must matter."""
+    if 0 < v < 1e-100:
+        return 1.0
+    return v**0.5 if 0 < v <= 1e-6 else v * 1.5 if v else 1.0
 
 
 def _set(node, field, value):
@@ -95,12 +105,15 @@ class _Walk(ast.NodeTransformer):
 
     def __init__(self, path: str, wanted: int | None = None):
         self.path, self.wanted, self.found, self.names, self.outer = path, wanted, [], [], None
+        self.scalars: list[ast.AST] = []  # float(a @ b): vectors, whose order does not matter
 
     def visit(self, node):
         if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             return self._definition(node)
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "float":
+            self.scalars += node.args
         result = node
-        for words, make in _changes(node):
+        for words, make in _changes(node, node in self.scalars):
             number = len(self.found)
             self.found.append(Mutant(self.path, number, node.lineno, self.outer, words))
             if number == self.wanted:

@@ -16,6 +16,7 @@ import numpy as np
 _RANK = 1e-10  # of a column, relative to the largest: below it depends on the others
 _PATIENCE = 60  # steps without progress, after which the rule is one that cannot cycle
 _MOST = 20_000  # steps
+_MOST_DIRECTIONS = 4000  # of a tube
 
 
 @dataclass(frozen=True)
@@ -37,12 +38,11 @@ def independent(columns) -> tuple[np.ndarray, np.ndarray]:
     """(B, back) of columns (n, p): B (n, r) spans the same space with columns of rms 1 that are square to each other,
     and B = columns @ back, (p, r)."""
     columns = np.asarray(columns, dtype=float)
-    n, p = columns.shape
-    scale = np.sqrt((columns**2).mean(axis=0)) if n else np.ones(p)
+    scale = np.sqrt((columns**2).mean(axis=0))
     scale = np.where(scale > 0, scale, 1.0)
     _, sizes, axes = np.linalg.svd(columns / scale, full_matrices=False)
-    keep = sizes > _RANK * (sizes[0] if len(sizes) else 1.0)
-    back = axes[keep].T / sizes[keep] * np.sqrt(n) / scale[:, None]
+    keep = sizes > _RANK * sizes.max(initial=0.0)
+    back = axes[keep].T / sizes[keep] * np.sqrt(len(columns)) / scale[:, None]
     return columns @ back, back
 
 
@@ -68,31 +68,23 @@ def smallest_tube(columns, departures) -> Zone:
     seen = {}
     at = np.argmax(np.hypot(*d.T))
     new = [(int(at), 0.0), (int(at), np.pi)]
+    # every step bounds the four sides of some points too, so that the program has a solution
+    far, spread = np.argsort(np.hypot(*d.T))[-16:], np.linspace(0, n - 1, 64).astype(int)
+    corners = np.union1d(far, spread)
+    sides = np.repeat([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)], len(corners), axis=0)
     while True:
         for i, angle in new:
             seen[i, angle] = (np.cos(angle), np.sin(angle))
-        # every step bounds the four sides too, so that the program has a solution
-        places = [i for i, _ in seen] + 4 * list(range(n)) if n <= 64 else None
-        if places is None:
-            far = np.unique(np.argsort(np.hypot(*d.T))[-16:])
-            spread = np.unique(np.linspace(0, n - 1, 64).astype(int))
-            corners = np.union1d(far, spread)
-            places = [i for i, _ in seen] + list(np.tile(corners, 4))
-            sides = len(corners)
-        else:
-            sides = n
-        u = np.array(list(seen.values()) + [s for s in ((1, 0), (-1, 0), (0, 1), (0, -1)) for _ in range(sides)])
-        places = np.array(places)
+        u = np.concatenate([list(seen.values()), sides])
+        places = np.concatenate([[i for i, _ in seen], np.tile(corners, 4)])
         rows = np.concatenate([u[:, :1] * basis[places], u[:, 1:] * basis[places]], axis=1)
         radius, c, used, weights = _least_bound(rows, (u * d[places]).sum(axis=1))
         rest = d - np.stack([basis @ c[:p], basis @ c[p:]], axis=1)
         size = np.hypot(*rest.T)
         over = np.flatnonzero(size > radius * (1 + 1e-12) + 1e-300)
-        if len(over) == 0 or len(seen) > 4000:
-            return Zone(2 * radius, places[used], 2 * weights[:, None] * u[used], back @ np.stack([c[:p], c[p:]], 1))
         worst = over[np.argsort(size[over])[-8:]]
         new = [(int(i), float(np.arctan2(rest[i, 1], rest[i, 0]))) for i in worst]
-        if all(key in seen for key in new):
+        if all(key in seen for key in new) or len(seen) > _MOST_DIRECTIONS:
             return Zone(2 * radius, places[used], 2 * weights[:, None] * u[used], back @ np.stack([c[:p], c[p:]], 1))
 
 
@@ -102,11 +94,11 @@ def _least_bound(rows: np.ndarray, heights: np.ndarray):
     Simplex method on the dual: the weights y >= 0 of p + 1 rows with Σ y rows = 0 and Σ y = 1.  It begins with helping
     columns of a high price, which leave.
     """
-    k, p = rows.shape
-    largest = float(np.abs(heights).max()) if k else 0.0
+    p = rows.shape[1]
+    largest = float(np.abs(heights).max())
     if largest == 0.0 or p == 0:
-        at = int(np.argmax(heights)) if k else 0
-        return (float(heights[at]) if k else 0.0), np.zeros(p), np.array([at]), np.array([1.0])
+        at = int(np.argmax(heights))
+        return float(heights[at]), np.zeros(p), np.array([at]), np.array([1.0])
     price = 1e7 * largest
     first = int(np.argmax(heights))
     signs = np.where(rows[first] > 0, -1.0, 1.0)
@@ -122,6 +114,7 @@ def _least_bound(rows: np.ndarray, heights: np.ndarray):
         multipliers = np.linalg.solve(matrix.T, cost)
         weights = np.linalg.solve(matrix, right)
         over = heights - rows @ multipliers[:p] - multipliers[p]
+        over[names[names >= 0]] = -np.inf  # of the choice itself: 0 but for rounding
         enter = int(np.argmax(over))
         if over[enter] <= slack:
             break
