@@ -6,10 +6,11 @@
     .venv/bin/python tools/mutation.py core --module limits        one module
 
 pytest collects the tests once.  They are run once with coverage, to learn which tests reach which line and how long
-each takes; later only files of tests that changed are run again.  Then for every fault a copy of the process (fork)
-exchanges the code of the function that holds it, and runs the tests that reach its line until one fails: first those
-that failed before in this module, then those of files that name the module, the quickest first.  For a fault in the
-body of a module or class, or in a function that runs on import, the copy imports everything again.
+each takes; later only those files of tests are run again that changed, or that reach a module that changed.  Then for
+every fault a copy of the process (fork) exchanges the code of the function that holds it, and runs the tests that
+reach its line until one fails: first those that failed before in this module, then those of files that name the
+module, the quickest first.  For a fault in the body of a module or class, or in a function that runs on import, the
+copy imports everything again.
 
 What is known is kept in build/mutation/LAYER.jsonl and is not tried again, so that a run can be stopped and continued.
 A fault that was not found is tried again as soon as other tests reach it.  tools/equivalent_faults.txt lists faults
@@ -134,14 +135,18 @@ class Runner:
         """Lines that each test reaches and its duration, from a copy of this process under coverage; kept on disk."""
         kept = self.folder / f"{self.arguments.layer}-reach.json"
         files = sorted({i.nodeid.split("::")[0] for i in self.items})
-        stamp = {f: _hash([f]) for f in files} | {"sources": _hash(sorted(self._modules()))}
+        stamp = {f: _hash(f) for f in (*files, *(str(p.relative_to(ROOT)) for p in sorted(self._modules())))}
         known = json.loads(kept.read_text(encoding="utf-8")) if kept.exists() else {}
-        was = known.get("stamp", {})
-        changed = {f for f in files if was.get("sources") != stamp["sources"] or was.get(f) != stamp[f]}
+        was, reach = known.get("stamp", {}), known.get("reach", {})
+        new = {f for f in stamp if was.get(f) != stamp[f]}
+        changed = {f for f in files if f in new}
+        for path in new - set(files):  # of a module: whoever reached it
+            changed |= {t.split("::")[0] for tests in reach.get(path, {}).values() for t in tests}
         self.seconds = {t: s for t, s in known.get("seconds", {}).items() if t.split("::")[0] in set(files) - changed}
         self.reach = {
             path: {line: [t for t in tests if t in self.seconds] for line, tests in lines.items()}
-            for path, lines in known.get("reach", {}).items()
+            for path, lines in reach.items()
+            if path not in new
         }
         items = [i for i in self.items if i.nodeid.split("::")[0] in changed]
         if items:
@@ -363,11 +368,8 @@ def _equivalents() -> dict[tuple[str, str, str], str]:
     return {tuple(row[:3]): row[3] for row in rows}
 
 
-def _hash(paths) -> str:
-    digest = hashlib.sha256()
-    for path in paths:
-        digest.update(Path(path).read_bytes())
-    return digest.hexdigest()
+def _hash(path: str) -> str:
+    return hashlib.sha256(Path(path).read_bytes()).hexdigest()
 
 
 def _defined(mutant: Mutant) -> set[str]:
