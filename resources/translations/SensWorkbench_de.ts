@@ -9,6 +9,21 @@
       <translation>(keine)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ run</source>
+      <translation>+ Lauf</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ sensor</source>
+      <translation>+ Sensor</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ tool</source>
+      <translation>+ Werkzeug</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>, from repeats {pure} µm</source>
       <translation>, aus Wiederholungen {pure} µm</translation>
@@ -114,6 +129,11 @@
       <translation>Zulässig</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>An effect of {size} µm rms is found (median of those that could be).</source>
+      <translation>Ein Effekt von {size} µm (Effektivwert) wird gefunden (Median der möglichen).</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Angles in</source>
       <translation>Winkel in</translation>
@@ -202,6 +222,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Best places</source>
       <translation>Beste Orte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Better</source>
+      <translation>Besser</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -769,6 +794,11 @@
       <translation>Formen werden untersucht: %p %</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Looking at the plan</source>
+      <translation>Der Plan wird geprüft</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Lower</source>
       <translation>Untere</translation>
@@ -912,6 +942,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>No rival: nothing else that was searched explains as much.</source>
       <translation>Kein Rivale: Nichts anderes, wonach gesucht wurde, erklärt ebenso viel.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Noise</source>
+      <translation>Rauschen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1087,6 +1122,21 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Picture…</source>
       <translation>Bild…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Places</source>
+      <translation>Messorte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Places of the plan</source>
+      <translation>Messorte des Plans</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Plan the measurement</source>
+      <translation>Messung planen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1304,6 +1354,11 @@
       <translation>Sagt, was eine Verschiebung jedes Maßstabs, jedes Führungswagens und des Werkzeugs um einen Millimeter wert ist und wo jeder Punkt im Spielraum am besten liegt.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Says, before anything is measured, how well each declared error will be known.</source>
+      <translation>Sagt vor der Messung, wie genau jede angegebene Abweichung bekannt sein wird.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Scatter of one reading, µm</source>
       <translation>Streuung eines Messwerts, µm</translation>
@@ -1437,6 +1492,16 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Squareness</source>
       <translation>Rechtwinkligkeit</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Standard uncertainty of one reading</source>
+      <translation>Standardunsicherheit eines Messwerts</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Standard uncertainty of the error's function, rms over the travel</source>
+      <translation>Standardunsicherheit der Funktion der Abweichung, Effektivwert über den Verfahrweg</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1604,6 +1669,21 @@
       <translation>Dasselbe für die angepassten Messwerte, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured again in another run</source>
+      <translation>Dasselbe, wenn jeder Ort in einem weiteren Lauf noch einmal gemessen wird</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured again with a tool of another length</source>
+      <translation>Dasselbe, wenn jeder Ort mit einem Werkzeug anderer Länge noch einmal gemessen wird</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured in the directions that the plan lacks</source>
+      <translation>Dasselbe, wenn jeder Ort auch in den Richtungen gemessen wird, die dem Plan fehlen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>The same would cost least at the tolerance of {symbol}: {price} per µm².</source>
       <translation>Dasselbe wäre am billigsten bei der Toleranz von {symbol}: {price} je µm².</translation>
@@ -1612,6 +1692,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The sliders between bed and tool; the others carry the workpiece</source>
       <translation>Die Schieber zwischen Bett und Werkzeug; die übrigen tragen das Werkstück</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The table has the columns of the readings, without readings</source>
+      <translation>Die Tabelle hat die Spalten der Messwerte, ohne Messwerte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -1769,6 +1854,11 @@
       <translation>U-förmig</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Uncertainties</source>
+      <translation>Unsicherheiten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Undo</source>
       <translation>Rückgängig</translation>
@@ -1897,6 +1987,11 @@
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>What these files hold, and what they cannot:</source>
       <translation>Was diese Dateien enthalten, und was sie nicht können:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>What to do</source>
+      <translation>Was zu tun ist</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2214,6 +2309,11 @@
       <translation>von</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>from a table</source>
+      <translation>aus einer Tabelle</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>eingefroren</translation>
@@ -2277,6 +2377,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>normal (Grenzen ±3σ)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>not determined</source>
+      <translation>nicht bestimmt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2399,6 +2504,11 @@
       <translation>Standardunsicherheit</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>suggested</source>
+      <translation>vorgeschlagen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>temperature</source>
       <translation>Temperatur</translation>
@@ -2482,6 +2592,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>truncated normal</source>
       <translation>abgeschnitten normal</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>u</source>
+      <translation>u</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2609,6 +2724,11 @@
       <translation>{name}: {low} … {high} mm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>{n} changes would make the plan better.</source>
+      <translation>{n} Änderungen würden den Plan verbessern.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>{n} Abweichungen eingelesen.</translation>
@@ -2622,6 +2742,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>{part} % ± {error} of all errors exceed {limit}: the {level} % error {judged}.</source>
       <translation>{part} % ± {error} aller Abweichungen überschreiten {limit}: die {level}-%-Abweichung: {judged}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>{places} places: {rank} of {parameters} parameters are determined.</source>
+      <translation>{places} Messorte: {rank} von {parameters} Parametern sind bestimmt.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2927,6 +3052,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>Ursprüngliche Farben</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Plan</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Plan Measurement…</source>
+      <translation>Messung planen…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Says how well each declared error will be known, before anything is measured</source>
+      <translation>Sagt vor der Messung, wie genau jede angegebene Abweichung bekannt sein wird</translation>
     </message>
   </context>
   <context>

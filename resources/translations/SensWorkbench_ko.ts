@@ -9,6 +9,21 @@
       <translation>(없음)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ run</source>
+      <translation>+ 회차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ sensor</source>
+      <translation>+ 센서</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>+ tool</source>
+      <translation>+ 공구</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>, from repeats {pure} µm</source>
       <translation>, 반복 측정에서 {pure} µm</translation>
@@ -114,6 +129,11 @@
       <translation>허용값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>An effect of {size} µm rms is found (median of those that could be).</source>
+      <translation>{size} µm rms의 효과를 찾을 수 있습니다(가능한 것들의 중앙값).</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Angles in</source>
       <translation>각도 단위</translation>
@@ -202,6 +222,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Best places</source>
       <translation>가장 좋은 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Better</source>
+      <translation>개선</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -769,6 +794,11 @@
       <translation>모양을 살펴보는 중: %p %</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Looking at the plan</source>
+      <translation>계획을 검토하는 중</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Lower</source>
       <translation>하한</translation>
@@ -912,6 +942,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>No rival: nothing else that was searched explains as much.</source>
       <translation>경쟁 후보 없음: 탐색한 다른 어떤 것도 이만큼 설명하지 못합니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Noise</source>
+      <translation>잡음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1087,6 +1122,21 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Picture…</source>
       <translation>그림…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Places</source>
+      <translation>측정 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Places of the plan</source>
+      <translation>계획의 측정 위치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Plan the measurement</source>
+      <translation>측정 계획</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1304,6 +1354,11 @@
       <translation>각 스케일, 안내 블록, 공구를 1밀리미터 옮길 때의 효과와 여유 안에서 가장 좋은 위치를 알려 줍니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Says, before anything is measured, how well each declared error will be known.</source>
+      <translation>측정 전에 선언된 각 오차를 얼마나 정확히 알게 될지 알려 줍니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Scatter of one reading, µm</source>
       <translation>측정값 하나의 산포, µm</translation>
@@ -1437,6 +1492,16 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Squareness</source>
       <translation>직각도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Standard uncertainty of one reading</source>
+      <translation>측정값 하나의 표준 불확도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Standard uncertainty of the error's function, rms over the travel</source>
+      <translation>오차 함수의 표준 불확도, 이송 범위의 rms</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -1604,6 +1669,21 @@
       <translation>피팅에 쓴 측정값의 오차, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured again in another run</source>
+      <translation>모든 위치를 다른 회차에서 다시 측정할 때의 값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured again with a tool of another length</source>
+      <translation>모든 위치를 길이가 다른 공구로 다시 측정할 때의 값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The same if every place is measured in the directions that the plan lacks</source>
+      <translation>계획에 없는 방향으로도 모든 위치를 측정할 때의 값</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>The same would cost least at the tolerance of {symbol}: {price} per µm².</source>
       <translation>같은 효과는 {symbol} 공차에서 가장 쌉니다: µm²당 {price}.</translation>
@@ -1612,6 +1692,11 @@
       <location filename="../../sensworkbench/gui/task_assembly.py" />
       <source>The sliders between bed and tool; the others carry the workpiece</source>
       <translation>베드와 공구 사이의 슬라이더. 나머지는 공작물을 지지합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>The table has the columns of the readings, without readings</source>
+      <translation>표는 측정값의 열을 가지며 측정값은 없습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -1769,6 +1854,11 @@
       <translation>U자형</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Uncertainties</source>
+      <translation>불확도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Undo</source>
       <translation>되돌리기</translation>
@@ -1897,6 +1987,11 @@
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>What these files hold, and what they cannot:</source>
       <translation>이 파일에 담기는 것과 담을 수 없는 것:</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>What to do</source>
+      <translation>할 일</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2214,6 +2309,11 @@
       <translation>부터</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>from a table</source>
+      <translation>표에서</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>frozen</source>
       <translation>고정</translation>
@@ -2277,6 +2377,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>정규 (한계 ±3σ)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>not determined</source>
+      <translation>결정되지 않음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2399,6 +2504,11 @@
       <translation>표준 불확도</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>suggested</source>
+      <translation>제안</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>temperature</source>
       <translation>온도</translation>
@@ -2482,6 +2592,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>truncated normal</source>
       <translation>절단 정규</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>u</source>
+      <translation>u</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2609,6 +2724,11 @@
       <translation>{name}: {low} … {high} mm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>{n} changes would make the plan better.</source>
+      <translation>{n}가지 변경으로 계획이 나아집니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>{n} errors read.</source>
       <translation>오차 {n}개를 읽었습니다.</translation>
@@ -2622,6 +2742,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>{part} % ± {error} of all errors exceed {limit}: the {level} % error {judged}.</source>
       <translation>모든 오차의 {part} % ± {error}가 {limit}를 넘습니다: {level} % 오차 {judged}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>{places} places: {rank} of {parameters} parameters are determined.</source>
+      <translation>측정 위치 {places}개: 매개변수 {parameters}개 중 {rank}개가 결정됩니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2927,6 +3052,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>원래 색상</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Plan</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Plan Measurement…</source>
+      <translation>측정 계획…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_plan.py" />
+      <source>Says how well each declared error will be known, before anything is measured</source>
+      <translation>측정 전에 선언된 각 오차를 얼마나 정확히 알게 될지 알려 줍니다</translation>
     </message>
   </context>
   <context>

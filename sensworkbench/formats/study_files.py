@@ -113,6 +113,11 @@ def write_plan(folder, study: PlanResult, language: str = "en") -> list[Path]:
 
     language : of the report.
     """
+    return write_set(folder, "plan", plan_files(study, language))
+
+
+def plan_files(study: PlanResult, language: str = "en") -> dict:
+    """Name -> text of the files of a plan."""
     data = plan_json.to_dict(study)
     files = {
         "plan.json": json_text.dumps(data),
@@ -121,7 +126,7 @@ def write_plan(folder, study: PlanResult, language: str = "en") -> list[Path]:
     }
     if study.suggested is not None:
         files[plan_html.SUGGESTED] = plan_json.positions_csv(study.suggested.readings)
-    return write_set(folder, "plan", files)
+    return files
 
 
 def read_picture(path) -> bytes:

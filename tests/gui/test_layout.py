@@ -109,10 +109,18 @@ def language(request):
     Gui.setLocale("English")
 
 
-OF_A_MACHINE = ("Sens_EditMachine", "Sens_Tolerances", "Sens_Jog", "Sens_Allocate", "Sens_Moves", "Sens_Limits")
+COMMANDS = [
+    "Sens_EditMachine",
+    "Sens_Tolerances",
+    "Sens_Jog",
+    "Sens_Allocate",
+    "Sens_Moves",
+    "Sens_Limits",
+    "Sens_Plan",
+]
 
 
-@pytest.mark.parametrize("command", OF_A_MACHINE)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_panels_of_a_machine(machine, machine_doc, language, command):
     run("Sens_Sensitivity")
     review.hide()
