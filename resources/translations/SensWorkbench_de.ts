@@ -249,7 +249,7 @@
       <translation>Zufall durch Rauschen allein</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Change</source>
       <translation>Änderung</translation>
     </message>
@@ -379,6 +379,11 @@
       <translation>Bitte berichtigen oder Abbrechen drücken.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Correlated tolerances</source>
+      <translation>Korrelierte Toleranzen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Cost</source>
       <translation>Kosten</translation>
@@ -387,6 +392,26 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Cost {cost}; nothing cheaper than {bound} meets the target.</source>
       <translation>Kosten {cost}; nichts unter {bound} erreicht das Ziel.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Covariance</source>
+      <translation>Kovarianz</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Covariance of errors</source>
+      <translation>Kovarianz von Abweichungen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declare</source>
+      <translation>Festlegen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declare source</source>
+      <translation>Quelle festlegen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -434,6 +459,11 @@
       <translation>Treiber</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Each error keeps its own tolerance besides</source>
+      <translation>Jede Abweichung behält dazu ihre Toleranz</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
       <translation>Jeder Punkt: der Wert, den ein Messwert von der Komponente verlangt, wenn alles andere abgezogen ist.</translation>
@@ -452,6 +482,11 @@
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>Effekt ein oder aus</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Empties the fields for another source</source>
+      <translation>Leert die Felder für eine weitere Quelle</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -484,6 +519,11 @@
       <translation>Abweichungen zufälliger Maschinen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Errors that come from one cause follow a source: one rail gives straightness and pitch, one temperature lengthens three scales.</source>
+      <translation>Abweichungen mit einer gemeinsamen Ursache folgen einer Quelle: Eine Schiene gibt Geradheit und Nicken, eine Temperatur längt drei Maßstäbe.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Every point at its best place when all of them move; click to see</source>
       <translation>Jeder Punkt an seinem besten Ort, wenn alle verschoben werden; ein Klick zeigt es</translation>
@@ -512,6 +552,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>Ausgeben…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Factor</source>
+      <translation>Faktor</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -764,6 +809,11 @@
       <translation>Größter totaler Index Sᵀ der Komponente</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Law</source>
+      <translation>Verteilung</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Leaves the question open</source>
       <translation>Lässt die Frage offen</translation>
@@ -774,9 +824,19 @@
       <translation>Legende</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Lets the errors follow the source, one undo step</source>
+      <translation>Lässt die Abweichungen der Quelle folgen, ein Rückgängig-Schritt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Limits of the error</source>
       <translation>Grenzen der Abweichung</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Limits of the source, a pure number; each error is its factor times it</source>
+      <translation>Grenzen der Quelle, einer reinen Zahl; jede Abweichung ist ihr Faktor mal diese Zahl</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -844,6 +904,11 @@
       <translation>Bedeutung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Measure {name} further: it holds {part} % of what remains uncertain. rms of that: {rms} µm.</source>
+      <translation>{name} weiter messen: hier liegen {part} % dessen, was unsicher bleibt. Effektivwert davon: {rms} µm.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Median</source>
       <translation>Median</translation>
@@ -904,9 +969,19 @@
       <translation>Jeder Punkt wird verschoben</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Name</source>
+      <translation>Name</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Needs</source>
       <translation>Braucht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>New</source>
+      <translation>Neu</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1014,6 +1089,11 @@
       <translation>Objekte dieses Dokuments sind beschädigt: Sens &gt; Maschine reparieren… behebt das.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Of the fit</source>
+      <translation>Der Anpassung</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>One inch</source>
       <translation>Ein Zoll</translation>
@@ -1052,6 +1132,11 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original colours</source>
       <translation>Ursprüngliche Farben</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Otherwise the source takes the place of the tolerances of its errors</source>
+      <translation>Sonst tritt die Quelle an die Stelle der Toleranzen ihrer Abweichungen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -1214,6 +1299,11 @@
       <translation>Messwerte</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Reads a covariance: names of errors in the first row and column, µm and µrad</source>
+      <translation>Liest eine Kovarianz: Namen der Abweichungen in erster Zeile und Spalte, µm und µrad</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
       <translation>Liest Preise: symbol, kind, c, k, lower, upper, oder Güten (siehe Allocation)</translation>
@@ -1249,9 +1339,19 @@
       <translation>Bezug {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Remove</source>
+      <translation>Entfernen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Remove effects</source>
       <translation>Effekte entfernen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Remove source</source>
+      <translation>Quelle entfernen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1444,6 +1544,16 @@
       <translation>Anteil dann</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Shares of the components</source>
+      <translation>Anteile der Komponenten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Shares of the components when errors vary together. With the covariance of a fit they say which further measurement helps most.</source>
+      <translation>Anteile der Komponenten, wenn Abweichungen gemeinsam schwanken. Mit der Kovarianz einer Anpassung sagen sie, welche weitere Messung am meisten hilft.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>Zeigen</translation>
@@ -1477,6 +1587,21 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at {axis}</source>
       <translation>Schnitt bei {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Source</source>
+      <translation>Quelle</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Sources</source>
+      <translation>Quellen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Sources: {n}. Compute gives their shares in the ranking.</source>
+      <translation>Quellen: {n}. Berechnen gibt ihre Anteile in der Rangfolge.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1577,6 +1702,16 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Takes the found effects out of the machine again</source>
       <translation>Nimmt die gefundenen Effekte wieder aus der Maschine</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Takes the source away, one undo step; its errors get tolerances of the same width</source>
+      <translation>Entfernt die Quelle, ein Rückgängig-Schritt; ihre Abweichungen bekommen Toleranzen derselben Breite</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Takes what the last fit leaves uncertain</source>
+      <translation>Nimmt, was die letzte Anpassung unsicher lässt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -1747,6 +1882,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>This point is at its best place already.</source>
       <translation>Dieser Punkt liegt schon an seinem besten Ort.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Tick the errors that follow the source; double click a factor to change it</source>
+      <translation>Abweichungen, die der Quelle folgen, ankreuzen; Doppelklick ändert einen Faktor</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1937,6 +2077,11 @@
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weights</source>
       <translation>Gewichte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>What</source>
+      <translation>Was</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2374,6 +2519,11 @@
       <translation>keine: Verschiebungen stehen ohne ihren Wert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>none: read a file, or fit readings first</source>
+      <translation>keine: eine Datei lesen oder erst Messungen anpassen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>normal (Grenzen ±3σ)</translation>
@@ -2382,6 +2532,11 @@
       <location filename="../../sensworkbench/gui/task_plan.py" />
       <source>not determined</source>
       <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>of the fit: what remains uncertain</source>
+      <translation>der Anpassung: was unsicher bleibt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2502,6 +2657,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>such as rail of Y</source>
+      <translation>etwa Schiene von Y</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -2694,6 +2854,16 @@
       <translation>{level} % aller Abweichungen liegen unter &lt;b&gt;{size}&lt;/b&gt;; am ungünstigsten Ort ({place}) unter {worst}.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>{name} is declared; its share stands in the ranking</source>
+      <translation>{name} ist festgelegt; ihr Anteil steht in der Rangfolge</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>{name} makes {part} % of the variance. rms over the workspace: {rms} µm.</source>
+      <translation>{name} macht {part} % der Varianz aus. Effektivwert im Arbeitsraum: {rms} µm.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>{name}, lower end</source>
       <translation>{name}, unteres Ende</translation>
@@ -2818,6 +2988,19 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Finds the cheapest tolerances that meet a target, and applies them</source>
       <translation>Findet die billigsten Toleranzen für ein Ziel und übernimmt sie</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Correlated</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Correlated Tolerances…</source>
+      <translation>Korrelierte Toleranzen…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declares errors that come from one cause, and shares for a covariance</source>
+      <translation>Legt Abweichungen mit gemeinsamer Ursache fest und zeigt Anteile für eine Kovarianz</translation>
     </message>
   </context>
   <context>

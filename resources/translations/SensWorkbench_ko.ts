@@ -249,7 +249,7 @@
       <translation>잡음만으로 나올 확률</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_moves.py" />
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Change</source>
       <translation>변경</translation>
     </message>
@@ -379,6 +379,11 @@
       <translation>고치거나 취소를 누르십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Correlated tolerances</source>
+      <translation>상관 공차</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Cost</source>
       <translation>비용</translation>
@@ -387,6 +392,26 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Cost {cost}; nothing cheaper than {bound} meets the target.</source>
       <translation>비용 {cost}; {bound}보다 싸게는 목표를 만족할 수 없습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Covariance</source>
+      <translation>공분산</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Covariance of errors</source>
+      <translation>오차의 공분산</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declare</source>
+      <translation>선언</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declare source</source>
+      <translation>원인 선언</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -434,6 +459,11 @@
       <translation>구동 변수</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Each error keeps its own tolerance besides</source>
+      <translation>각 오차는 자체 공차도 유지</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Each point: the value that a reading asks of the component when everything else is taken away.</source>
       <translation>각 점: 나머지를 모두 뺀 뒤 측정값이 이 성분에 요구하는 값.</translation>
@@ -452,6 +482,11 @@
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>효과 켜기/끄기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Empties the fields for another source</source>
+      <translation>다른 원인을 위해 칸을 비웁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
@@ -484,6 +519,11 @@
       <translation>임의의 기계들의 오차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Errors that come from one cause follow a source: one rail gives straightness and pitch, one temperature lengthens three scales.</source>
+      <translation>한 가지 원인에서 오는 오차는 원인을 따릅니다: 레일 하나가 진직도와 피치를 만들고, 온도 하나가 세 스케일을 늘립니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Every point at its best place when all of them move; click to see</source>
       <translation>모두 옮길 때 각 점의 가장 좋은 위치; 클릭하면 보입니다</translation>
@@ -512,6 +552,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Export…</source>
       <translation>내보내기…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Factor</source>
+      <translation>계수</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -764,6 +809,11 @@
       <translation>구성요소의 최대 전체 지수 Sᵀ</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Law</source>
+      <translation>분포</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/proposal_note.py" />
       <source>Leaves the question open</source>
       <translation>질문을 남겨 둡니다</translation>
@@ -774,9 +824,19 @@
       <translation>범례</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Lets the errors follow the source, one undo step</source>
+      <translation>오차가 원인을 따르게 합니다(실행 취소 한 단계)</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Limits of the error</source>
       <translation>오차의 한계</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Limits of the source, a pure number; each error is its factor times it</source>
+      <translation>원인(순수한 수)의 한계; 각 오차는 계수 곱하기 이 수입니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -844,6 +904,11 @@
       <translation>의미</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Measure {name} further: it holds {part} % of what remains uncertain. rms of that: {rms} µm.</source>
+      <translation>{name}을(를) 더 측정하십시오: 남은 불확도의 {part} %가 여기에 있습니다. 그 rms: {rms} µm.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Median</source>
       <translation>중앙값</translation>
@@ -904,9 +969,19 @@
       <translation>모든 점을 옮겨 보는 중</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Name</source>
+      <translation>이름</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Needs</source>
       <translation>필요한 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>New</source>
+      <translation>새로</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -1014,6 +1089,11 @@
       <translation>이 문서의 객체가 손상되었습니다: Sens &gt; 기계 복구…로 고칠 수 있습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Of the fit</source>
+      <translation>적합의 것</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>One inch</source>
       <translation>1인치</translation>
@@ -1052,6 +1132,11 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original colours</source>
       <translation>원래 색상</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Otherwise the source takes the place of the tolerances of its errors</source>
+      <translation>아니면 원인이 그 오차들의 공차를 대신합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -1214,6 +1299,11 @@
       <translation>측정값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Reads a covariance: names of errors in the first row and column, µm and µrad</source>
+      <translation>공분산을 읽습니다: 첫 행과 첫 열에 오차 이름, µm와 µrad</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
       <translation>가격을 읽습니다: symbol, kind, c, k, lower, upper 또는 등급(Allocation 참조)</translation>
@@ -1249,9 +1339,19 @@
       <translation>기준점 {name}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Remove</source>
+      <translation>제거</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Remove effects</source>
       <translation>효과 제거</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Remove source</source>
+      <translation>원인 제거</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1444,6 +1544,16 @@
       <translation>이후 몫</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Shares of the components</source>
+      <translation>구성 요소의 몫</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Shares of the components when errors vary together. With the covariance of a fit they say which further measurement helps most.</source>
+      <translation>오차가 함께 변할 때 구성 요소의 몫입니다. 적합의 공분산이면 어떤 추가 측정이 가장 도움이 되는지 알려 줍니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Show</source>
       <translation>표시</translation>
@@ -1477,6 +1587,21 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Slice at {axis}</source>
       <translation>{axis} 단면</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Source</source>
+      <translation>원인</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Sources</source>
+      <translation>원인</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Sources: {n}. Compute gives their shares in the ranking.</source>
+      <translation>원인: {n}. 계산하면 순위에 몫이 나옵니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1577,6 +1702,16 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Takes the found effects out of the machine again</source>
       <translation>발견된 효과를 기계에서 다시 뺍니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Takes the source away, one undo step; its errors get tolerances of the same width</source>
+      <translation>원인을 제거합니다(실행 취소 한 단계). 그 오차들은 같은 폭의 공차를 얻습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Takes what the last fit leaves uncertain</source>
+      <translation>마지막 적합이 남긴 불확도를 씁니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
@@ -1747,6 +1882,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>This point is at its best place already.</source>
       <translation>이 점은 이미 가장 좋은 위치에 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Tick the errors that follow the source; double click a factor to change it</source>
+      <translation>원인을 따르는 오차를 체크하십시오. 계수를 두 번 클릭하면 바꿀 수 있습니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1937,6 +2077,11 @@
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Weights</source>
       <translation>가중치</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>What</source>
+      <translation>항목</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2374,6 +2519,11 @@
       <translation>없음: 이동의 가치는 보이지 않습니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>none: read a file, or fit readings first</source>
+      <translation>없음: 파일을 읽거나 먼저 측정값을 적합하십시오</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>정규 (한계 ±3σ)</translation>
@@ -2382,6 +2532,11 @@
       <location filename="../../sensworkbench/gui/task_plan.py" />
       <source>not determined</source>
       <translation>결정되지 않음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>of the fit: what remains uncertain</source>
+      <translation>적합의 것: 남은 불확도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2502,6 +2657,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>표준 불확도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>such as rail of Y</source>
+      <translation>예: Y 레일</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -2694,6 +2854,16 @@
       <translation>모든 오차의 {level} %가 &lt;b&gt;{size}&lt;/b&gt;보다 작습니다. 가장 나쁜 위치({place})에서는 {worst}.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>{name} is declared; its share stands in the ranking</source>
+      <translation>{name}을(를) 선언했습니다. 몫은 순위에 있습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>{name} makes {part} % of the variance. rms over the workspace: {rms} µm.</source>
+      <translation>{name}이(가) 분산의 {part} %를 만듭니다. 작업 공간의 rms: {rms} µm.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>{name}, lower end</source>
       <translation>{name}, 아래쪽 끝</translation>
@@ -2818,6 +2988,19 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Finds the cheapest tolerances that meet a target, and applies them</source>
       <translation>목표를 만족하는 가장 싼 공차를 찾아 적용합니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Correlated</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Correlated Tolerances…</source>
+      <translation>상관 공차…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_correlated.py" />
+      <source>Declares errors that come from one cause, and shares for a covariance</source>
+      <translation>한 원인에서 오는 오차를 선언하고 공분산의 몫을 보여 줍니다</translation>
     </message>
   </context>
   <context>

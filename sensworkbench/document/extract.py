@@ -21,7 +21,7 @@ from ..core.errors import component
 from ..core.joints import KINDS, LINEAR, Joint
 from ..core.machine import Machine, check_chains
 from ..core.objectives import Objective
-from ..formats import effects_json, fitted_json
+from ..formats import effects_json, fitted_json, sources_json
 from ..messages import Message, Refused
 from . import geometry, joints, told
 from .base import kind_of, made_by_newer, numbers
@@ -302,7 +302,8 @@ def _core(machine, axes, directions, direction_from, points, tool_point) -> Mach
             extra=_json(machine, "Extra", {}),
         )
         effects = tuple(core_effect(e, core.component) for e in effects_of(machine))
-        return replace(core, tolerances=read_tolerances(machine, core), effects=effects)
+        sources = sources_json.loads(machine.Sources, f"{machine.Label}, Sources", core)
+        return replace(core, tolerances=read_tolerances(machine, core), effects=effects, sources=sources)
     except Refused as error:
         if error.code in DIRECTION_CODES:  # name the objects that the directions come from
             sources = [

@@ -83,6 +83,7 @@ class MachineObject(SensObject):
         result("String", "Problem", "Why the machine cannot be computed, and what to do; empty when it can"),
         internal("String", "Inputs", "All that the indices depend on, as JSON"),
         internal("String", "Fitted", "Fitted errors as JSON"),
+        internal("String", "Sources", "Causes that several errors follow, as in machine.json"),
         internal("String", "Extra", "Further keys of machine.json as JSON"),
         internal("StringList", "HomeObjects", "Parts away from home"),
         internal("PlacementList", "HomePlacements", "Where they stand with all axes at 0"),

@@ -141,7 +141,7 @@ def _machine(obj):
         if len(same) > 1:
             what = Refused("problem-body-repeated", body=name, count=len(same), machine=obj.Label)
             yield Problem(same[-1], what, False)
-    for name in ("Fitted", "Extra"):
+    for name in ("Fitted", "Extra", "Sources"):
         yield from _json(obj, name)
     if len(obj.HomeObjects) != len(obj.HomePlacements):
         yield Problem(obj, Refused("problem-home-incomplete"), True)

@@ -94,7 +94,7 @@ def make_result(machine, found: workspace.Sensitivity, core: Machine, seen: Surv
     """The `Result` of indices that were computed as set on the machine.  seen : the survey that `core` is from."""
     labels, columns, _, laws = workspace.error_table(core)
     units = read_units(machine)
-    shown = tuple(units.get(label) or core.component(c).unit for label, c in zip(labels, columns))
+    shown = tuple(units.get(label) or (core.component(c).unit if c else "1") for label, c in zip(labels, columns))
     inputs = result_inputs(machine, core, None if seen is None else seen.home_arms)
     return Result(found, tuple(laws), shown, core.squareness, inputs)
 

@@ -13,6 +13,7 @@ import math
 from ..core.effects import Effect
 from ..core.machine import Machine
 from ..core.objectives import Objective
+from ..core.sources import Source
 from ..formats import effects_json
 from . import told
 from .base import members, put
@@ -44,12 +45,18 @@ def study_inputs(core: Machine, arms=None) -> str:
 
 
 def _varying(core: Machine) -> tuple[list, list[float]]:
-    """(words, values) of all that varies: tolerances and effects."""
+    """(words, values) of all that varies: tolerances, effects, sources."""
     words, values = [], []
     for symbol, t in core.all_tolerances.items():
         words += [symbol, t.distribution]
         values += [t.lower * 1e3, t.upper * 1e3, (t.sigma or 0.0) * 1e3]
-    return words + [_effect(e, core) for e in core.effects if e.enabled], values
+    words += [_effect(e, core) for e in core.effects if e.enabled]
+    return words + [_source(s) for s in core.sources], values
+
+
+def _source(source: Source) -> list:
+    law = source.law
+    return [source.name, law.distribution, law.lower, law.upper, law.sigma, *map(list, source.factors.items())]
 
 
 def with_objective(inputs: str, objective: Objective) -> str:

@@ -8,7 +8,6 @@ is equal to the first.
 
 from __future__ import annotations
 
-import contextlib
 import json
 from dataclasses import replace
 
@@ -16,14 +15,13 @@ from sensworkbench.core.distributions import DISTRIBUTIONS, Tolerance
 from sensworkbench.core.errors import AXES, component
 from sensworkbench.core.joints import KINDS, Joint, linear
 from sensworkbench.core.machine import SQUARENESS_CONVENTIONS, Machine
-from sensworkbench.core.refusal import Refused
-from sensworkbench.core.sources import Source
 from sensworkbench.core.units import exactly_shown, factor
 
-from . import effects_json, fitted_json
+from . import effects_json, fitted_json, sources_json
 from .files import read_text, write_text
 from .fitted_json import MAX_DEGREE, symbols, unit_scale
 from .json_text import Node, parse, short
+from .sources_json import refused_at
 
 FORMAT, VERSIONS = "sens-machine", (1, 2)
 
@@ -54,7 +52,7 @@ def from_place(top: Node) -> Machine:
     joints, more = ("axes", ()) if version == 1 else ("joints", ("frame",))
     top.keys((*_KEYS, joints, *more), (*_REQUIRED, joints))
     given = {key: tuple(top[key].numbers(3)) for key in ("spindle_reference", "workpiece_reference") if key in top}
-    with _refused_at(top):
+    with refused_at(top):
         bare = Machine(
             name=top["name"].string() if "name" in top else "machine",
             workpiece_chain=_chain(top["workpiece_chain"], version),
@@ -73,22 +71,8 @@ def from_place(top: Node) -> Machine:
         declared=_declared(top["declared"], bare) if "declared" in top else {},
         fitted=fitted_json.read(top["fitted"], bare.component) if "fitted" in top else None,
         effects=effects_json.read(top["effects"], bare) if "effects" in top else (),
-        sources=_checked_sources(top["sources"], bare) if "sources" in top else (),
+        sources=sources_json.read(top["sources"], bare) if "sources" in top else (),
     )
-
-
-@contextlib.contextmanager
-def _refused_at(place: Node):
-    """What the core refuses gets its place in the file, unless it names one already."""
-    try:
-        yield
-    except Refused as refused:
-        if refused.where.startswith(place.name):
-            raise
-        member = refused.where.rpartition(", ")[2]
-        if isinstance(place.value, dict) and member in place.value:
-            raise place[member].refuse(refused.code, **refused.fields) from None
-        raise refused.at(place.where) from None
 
 
 def _chain(place: Node, version: int) -> tuple[str, ...]:
@@ -102,7 +86,7 @@ def _axes(place: Node) -> tuple[Joint, ...]:
     for name in AXES:
         entry = place[name]
         entry.keys(("direction", "reference", "travel"), ("direction", "reference", "travel"))
-        with _refused_at(entry):
+        with refused_at(entry):
             found.append(
                 linear(
                     name,
@@ -128,7 +112,7 @@ def _joints(place: Node) -> tuple[Joint, ...]:
             travel = tuple(v * scale for v in entry["travel"].numbers(2))
         elif not kind.may_be_endless:
             raise entry["travel"].refuse("travel-linear-endless")
-        with _refused_at(entry):
+        with refused_at(entry):
             found.append(
                 Joint(name, kind, tuple(entry["direction"].numbers(3)), tuple(entry["point"].numbers(3)), travel)
             )
@@ -152,7 +136,7 @@ def tolerances(place: Node, known=component) -> dict[str, Tolerance]:
         lower, upper = entry["lower"].number(), entry["upper"].number()
         if upper < lower:
             raise entry["upper"].refuse("tolerance-limits-reversed", lower=lower, upper=upper)
-        with _refused_at(entry):
+        with refused_at(entry):
             found[c.symbol] = Tolerance(
                 lower * scale,
                 upper * scale,
@@ -174,31 +158,6 @@ def _declared(place: Node, machine: Machine) -> dict[str, int]:
         degree = entry["degree"].integer(0, MAX_DEGREE) if "degree" in entry else 3
         found[c.symbol] = min(degree, 1) if c.line else degree
     return found
-
-
-def _checked_sources(place: Node, machine: Machine) -> tuple[Source, ...]:
-    found = tuple(_source(entry, machine) for entry in place.elements())
-    with _refused_at(place):
-        replace(machine, sources=found)
-    return found
-
-
-def _source(entry: Node, machine: Machine) -> Source:
-    """A cause: its law, of a pure number, and for each error that follows it the factor with its unit."""
-    entry.keys(("name", "distribution", "lower", "upper", "sigma", "factors"), ("name", "factors"))
-    distribution = entry["distribution"].string(DISTRIBUTIONS) if "distribution" in entry else "uniform"
-    sigma = entry["sigma"].number() if "sigma" in entry else None
-    given = {key: entry[key].number() for key in ("lower", "upper") if key in entry}
-    if len(given) < 2:
-        if sigma is None or distribution != "normal" or given:
-            raise entry.refuse("source-without-law")
-        given = {"lower": -3 * sigma, "upper": 3 * sigma}  # a normal law needs its sigma alone
-    factors = {}
-    for c, value in symbols(entry["factors"], machine.component):
-        value.keys(("value", "unit"), ("value",))
-        factors[c.symbol] = value["value"].number() * unit_scale(value, c)
-    with _refused_at(entry):
-        return Source(entry["name"].string(), Tolerance(given["lower"], given["upper"], distribution, sigma), factors)
 
 
 # -- writing ---------------------------------------------------------------------------------------------------------
@@ -233,26 +192,12 @@ def to_dict(machine: Machine) -> dict:
             s: {"shape": "polynomial", "degree": d} if d else {"shape": "none"} for s, d in machine.declared.items()
         }
     if machine.sources:
-        data["sources"] = [_source_dict(s, machine) for s in machine.sources]
+        data["sources"] = [sources_json.to_dict(s, machine) for s in machine.sources]
     if machine.fitted is not None:
         data["fitted"] = fitted_json.to_dict(machine.fitted, machine.component)
     if machine.effects:
         data["effects"] = effects_json.to_list(machine, version)
     return data | dict(machine.extra)
-
-
-def _source_dict(source: Source, machine: Machine) -> dict:
-    law = source.law
-    data = {"name": source.name, "distribution": law.distribution, "lower": law.lower, "upper": law.upper}
-    if law.sigma is not None:
-        data["sigma"] = law.sigma
-    data["factors"] = {}
-    for symbol, size in source.factors.items():
-        c = machine.component(symbol)
-        shown = exactly_shown(size, c.from_shown(1.0))
-        unit = c.unit if shown is not None else ("rad" if c.angular else "mm")
-        data["factors"][symbol] = {"value": size if shown is None else shown, "unit": unit}
-    return data
 
 
 def written_version(machine: Machine) -> int:

@@ -87,6 +87,10 @@ class StudyPanel(Panel):
         """Name -> text of the files of a result."""
         raise NotImplementedError
 
+    def outdated(self, settings: dict) -> bool:
+        """Whether what was asked has changed in a way that `Stale` does not know."""
+        return False
+
     def clear(self) -> None:
         """Empty the tables."""
         raise NotImplementedError
@@ -137,7 +141,7 @@ class StudyPanel(Panel):
         self.quiet = True
         self.show_settings(settings)
         self.quiet = False
-        self.show(data, stale=obj.Stale)
+        self.show(data, stale=obj.Stale or self.outdated(settings))
 
     def forget(self, *_) -> None:
         """Something else is asked: the last answer goes from the panel."""

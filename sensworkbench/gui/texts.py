@@ -10,9 +10,11 @@ import FreeCAD as App
 from ..core.errors import COMPONENTS, Component
 from ..core.objectives import MeanSquare, Objective
 from ..core.refusal import Refused
+from ..core.sources import Source
 from ..core.synthesis import POSITION
 from ..core.units import factor, shown
-from ..document import told, tree
+from ..document import refresh, told, tree
+from ..messages import Message
 from . import messages, settings
 from .qt import translate
 
@@ -29,6 +31,8 @@ def body_name(machine, body: str) -> str:
     if body == "F":
         return translate("Sens", "Bed")
     obj = tree.body_of(machine, body) if machine is not None else None
+    if obj is None and body in sources_of(machine):
+        return body
     # FreeCAD makes labels unique by a number of three digits
     return re.sub(r"(?<=\D)\d{3}$", "", obj.Label) if obj is not None else body_kind(body)
 
@@ -53,6 +57,16 @@ def error_meaning(symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
     return messages.words(c.title)
 
 
+def sources_of(machine) -> dict[str, Source]:
+    """name -> source of a machine; none where it has none or cannot be computed."""
+    if machine is None or not machine.Sources:
+        return {}
+    try:
+        return {s.name: s for s in refresh.latest(machine).core.sources}
+    except Refused:
+        return {}
+
+
 def effect_of(machine, name: str):
     """The effect object of a name, or None."""
     return next((e for e in tree.effects_of(machine) if e.Label == name), None) if machine is not None else None
@@ -66,6 +80,9 @@ def short_name(machine, symbol: str) -> str:
 
 def meaning(machine, symbol: str, known: dict[str, Component] = COMPONENTS) -> str:
     """What an error or effect is, in words.  known : components of the machine."""
+    source = sources_of(machine).get(symbol) if symbol not in known else None
+    if source is not None:
+        return messages.words(Message("error-source", symbols=list(source.factors)))
     return error_meaning(symbol, known) if effect_of(machine, symbol) is None else symbol
 
 
@@ -112,12 +129,12 @@ def plain(value: float, digits: int = 6) -> str:
 
 
 def limits(lower: float, upper: float, unit: str, angular: bool, digits: int = 6) -> str:
-    """±5 µm, or -1 … 3 µm, with so many significant digits."""
-    a, b = (shown(v, unit, angular=angular) for v in (lower, upper))
-    sign = unit_sign(unit)
+    """±5 µm, or -1 … 3 µm, with so many significant digits.  unit : "1" for a pure number."""
+    a, b = (lower, upper) if unit == "1" else (shown(v, unit, angular=angular) for v in (lower, upper))
+    sign = "" if unit == "1" else f" {unit_sign(unit)}"
     if abs(a + b) <= 1e-9 * max(abs(a), abs(b), 1e-30):
-        return f"±{plain(b, digits)} {sign}"
-    return f"{plain(a, digits)} … {plain(b, digits)} {sign}"
+        return f"±{plain(b, digits)}{sign}"
+    return f"{plain(a, digits)} … {plain(b, digits)}{sign}"
 
 
 def positions_text(result) -> str:

@@ -117,6 +117,7 @@ COMMANDS = [
     "Sens_Moves",
     "Sens_Limits",
     "Sens_Plan",
+    "Sens_Correlated",
 ]
 
 
