@@ -165,8 +165,8 @@ def figure(content: Html, caption: str = "") -> Html:
 
 def picture(png: bytes, alt: str, caption: str = "") -> Html:
     """A PNG picture inside the page."""
-    data = base64.b64encode(png).decode("ascii")
-    return figure(Html(f'<img alt="{text(alt)}" src="data:image/png;base64,{data}"/>'), caption)
+    data, kind = base64.b64encode(png).decode("ascii"), "gif" if png[:3] == b"GIF" else "png"
+    return figure(Html(f'<img alt="{text(alt)}" src="data:image/{kind};base64,{data}"/>'), caption)
 
 
 def page(title: str, subtitle: str, *content, footer: str = "", language: str = "en") -> str:

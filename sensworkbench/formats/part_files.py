@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -265,8 +265,15 @@ def _tables(job: Job) -> list[dict]:
     return found
 
 
-def files(job: Job, result: PartResult, language: str = "en", correction: dict | None = None) -> dict:
-    """Name -> text of the files of a part."""
+def files(
+    job: Job,
+    result: PartResult,
+    language: str = "en",
+    correction: dict | None = None,
+    picture: bytes | None = None,
+    motion: Sequence[bytes] = (),
+) -> dict:
+    """Name -> text of the files of a part.  picture : PNG of the part in the window; motion : GIF, or PNG stills."""
     from . import part_html
 
     source = job.source if correction is None else job.source | {"correction": correction}
@@ -275,7 +282,7 @@ def files(job: Job, result: PartResult, language: str = "en", correction: dict |
         "part.json": json_text.dumps(data),
         "features.csv": part_json.features_csv(data),
         "points.csv": part_json.points_csv(result),
-        "report.html": part_html.part_report(data, result, language),
+        "report.html": part_html.part_report(data, result, language, picture, motion),
     }
 
 

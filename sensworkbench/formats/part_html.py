@@ -7,12 +7,13 @@ Its numbers are those of part.json; its words are messages, in the language that
 from __future__ import annotations
 
 import datetime
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from sensworkbench import __version__
 from sensworkbench.messages import Message
 from sensworkbench.studies.part import CHECKED, PartResult
 from sensworkbench.studies.part_features import DRAWS
+from sensworkbench.studies.part_words import unsure
 
 from . import html, part_charts
 from .html import Html
@@ -23,9 +24,12 @@ _SHOWN = 5e-4  # a share below it is 0.000
 _BLOCKS = 30
 
 
-def part_report(data: Mapping, result: PartResult, language: str = "en") -> str:
-    """The page for the data of part.json and its result.  language : of the words."""
-    return _Report(data, result, Words(language)).page()
+def part_report(
+    data: Mapping, result: PartResult, language: str = "en", picture: bytes | None = None, motion: Sequence[bytes] = ()
+) -> str:
+    """The page for the data of part.json and its result.  language : of the words.  picture : PNG of the part, and
+    motion : GIF or PNG stills of how the machine moves, where there is a window."""
+    return _Report(data, result, Words(language), picture, motion).page()
 
 
 def micrometres(value) -> str:
@@ -36,8 +40,10 @@ def micrometres(value) -> str:
 class _Report:
     """The sections of one page."""
 
-    def __init__(self, data: Mapping, result: PartResult, words: Words):
+    def __init__(self, data: Mapping, result: PartResult, words: Words, picture=None, motion=()):
         self.data, self.result, self.words = data, result, words
+        self.picture, self.motion = picture, motion
+        self.unsure = {f.feature.name: unsure(result, f) for f in result.features}
         self.tolerances = data["errors"] == "tolerances"
 
     def page(self) -> str:
@@ -47,6 +53,7 @@ class _Report:
             words("part-title", path=data["path"]),
             words("part-subtitle-tolerances" if self.tolerances else "part-subtitle", machine=machine),
             self.summary(),
+            self.pictures(),
             self.features(),
             *(self.feature(f, g) for f, g in zip(data["features"], self.result.features)),
             self.corrected(),
@@ -72,7 +79,16 @@ class _Report:
             tiles.append((str(blocks), words("part-tile-outside")))
         return html.tiles(tiles)
 
+    def pictures(self) -> Html:
+        words, parts = self.words, []
+        if self.picture is not None:
+            parts.append(html.picture(self.picture, words("part-view-alt"), words("part-view-caption")))
+        parts += [html.picture(still, words("part-motion-alt"), words("part-motion-caption")) for still in self.motion]
+        return html.section(words("part-view-alt"), *parts) if parts else Html("")
+
     def who(self, feature: Mapping, count: int = 2) -> str:
+        if self.unsure[feature["name"]]:
+            return self.words(self.unsure[feature["name"]])
         ranked = sorted(feature["shares"].items(), key=lambda item: -item[1])[:count]
         return ", ".join(f"{label} {share:.0%}" for label, share in ranked)
 
@@ -109,7 +125,10 @@ class _Report:
         if drawn is not None:
             parts.append(html.figure(drawn[0], words("part-shape-caption", times=drawn[1])))
         columns = [words("part-column-error"), "#" + words("part-column-share"), ""]
-        parts.append(html.table(columns, rows, words("part-shares-words", feature=data["name"])))
+        if self.unsure[data["name"]]:
+            parts.append(html.paragraph(words(self.unsure[data["name"]]), soft=True))
+        else:
+            parts.append(html.table(columns, rows, words("part-shares-words", feature=data["name"])))
         place = position_text(self.result.machine.joints, data["worst_at"])
         where = f"{words('part-column-where')} {place} ({words('part-column-line')} {data['worst_line']})"
         parts.append(html.paragraph(where, soft=True))

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Colour maps that colour-blind readers can distinguish, and the range of values that they show.
 
-Viridis (van der Walt, Smith) and cividis (Nuñez, Anderton, Renslow 2018) as 17 anchors each, linear between them.  A
+Viridis (van der Walt, Smith) and cividis (Nuñez, Anderton, Renslow 2018) as 17 anchors each, linear between them, and
+for values with a sign Moreland's diverging map (2009), blue below zero and red above.  A
 part without a value is grey.  Pure Python: a handful of parts needs no arrays.
 """
 
@@ -17,6 +18,10 @@ _ANCHORS = {
     "magma": "0000040a08221d114736106b51127c6a1c818326819c2e7fb73779d0416fe75263f56b5cfc8961fea772fec488fde2a3fcfdbf",
 }
 MAPS = tuple(_ANCHORS)
+DIVERGING = "diverging"
+_ANCHORS[DIVERGING] = (
+    "3b4cc04d68d76282ea779af78db0fea3c2ffb8d0f9ccd9eeddddddecd3c5f5c4adf7b194f49a7bec7f63de604dcb3e38b40426"
+)
 _TABLES = {
     name: [tuple(int(text[i + k : i + k + 2], 16) / 255 for k in (0, 2, 4)) for i in range(0, len(text), 6)]
     for name, text in _ANCHORS.items()
@@ -74,6 +79,12 @@ def nice(value: float, *, up: bool) -> float:
     if up:
         return next(s for s in steps if s >= value * (1 - 1e-9))
     return max(s for s in steps if s <= value * (1 + 1e-9))
+
+
+def symmetric(values) -> Scale:
+    """From minus to plus a round value at or above the largest size: zero has the neutral colour."""
+    top = automatic([abs(v) for v in values if v is not None and math.isfinite(v)]).upper
+    return Scale(-top, top, DIVERGING)
 
 
 def automatic(values, name: str = "viridis") -> Scale:

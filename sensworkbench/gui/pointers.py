@@ -143,6 +143,11 @@ def point_at(machine, bodies) -> None:
 MOST_EDGES = 600  # of a part whose edges are drawn; one with more is shown by its bounding box
 
 
+def outlines_of(shapes) -> list:
+    """The edges of shapes as lines, each a list of points (mm)."""
+    return [line for shape in shapes for line in _edges(shape)]
+
+
 def outlines(machine, bodies) -> list:
     """The edges of the parts of some bodies as lines, each a list of points (mm, document coordinates)."""
     lines = []
