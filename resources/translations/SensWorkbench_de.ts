@@ -54,6 +54,11 @@
       <translation>95 % aller Abweichungen unter {before} → {after} µm.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>95 % of all parts below {value} µm</source>
+      <translation>95 % aller Werkstücke unter {value} µm</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>Eine Maschine, die 3 µm zu weit fährt, hat den Fehler +3 µm und die Kompensation −3 µm</translation>
@@ -87,6 +92,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Adds the selected parts</source>
       <translation>Fügt die gewählten Teile hinzu</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>After</source>
+      <translation>Danach</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trial.py" />
@@ -294,6 +304,11 @@
       <translation>Klicken Sie zuerst die Stelle in der 3D-Ansicht an.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Click: the parts of the component light up. Double click: its motion</source>
+      <translation>Klick: die Teile der Komponente leuchten auf. Doppelklick: ihre Bewegung</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Colour by the indices at this position</source>
       <translation>Nach den Indizes an dieser Position färben</translation>
@@ -312,6 +327,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Column</source>
       <translation>Spalte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Compensated</source>
+      <translation>Kompensiert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -377,6 +397,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>Bitte berichtigen oder Abbrechen drücken.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Correcting the program</source>
+      <translation>Das Programm wird korrigiert</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -494,6 +519,11 @@
       <translation>Abweichung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Error across the face, + outwards</source>
+      <translation>Fehler quer zur Fläche, + nach außen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error map</source>
       <translation>Fehlerkarte</translation>
@@ -534,6 +564,11 @@
       <translation>Überhöhung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Expected error</source>
+      <translation>Erwarteter Fehler</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
       <translation>Erwartete Abweichung √(E[Y]² + V(Y))</translation>
@@ -557,6 +592,16 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Factor</source>
       <translation>Faktor</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Feature</source>
+      <translation>Merkmal</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Features that exceed it are marked; 0: no limit</source>
+      <translation>Merkmale darüber werden markiert; 0: keine Grenze</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -739,6 +784,11 @@
       <translation>In diesem Plan von angesetzten Fehlern verdeckt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Hides the machine while the panel is open</source>
+      <translation>Blendet die Maschine aus, solange das Fenster offen ist</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Home</source>
       <translation>Nullpunkt</translation>
@@ -752,6 +802,21 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>Wie es gezeigt wird</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>How much larger than it is the error is drawn; left: not at all</source>
+      <translation>Wie viel größer der Fehler gezeichnet wird, als er ist; links: gar nicht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>How the largest share of the feature moves the machine</source>
+      <translation>Wie der größte Anteil des Merkmals die Maschine bewegt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Ideal part beside</source>
+      <translation>Ideales Teil daneben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -787,6 +852,16 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Judged</source>
       <translation>Urteil</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Judges the faces that the tool path cuts</source>
+      <translation>Beurteilt die Flächen, die der Werkzeugweg schneidet</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Judging the faces that the tool path cuts</source>
+      <translation>Die Flächen, die der Werkzeugweg schneidet, werden beurteilt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -827,6 +902,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Lets the errors follow the source, one undo step</source>
       <translation>Lässt die Abweichungen der Quelle folgen, ein Rückgängig-Schritt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Limit</source>
+      <translation>Grenze</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -1187,6 +1267,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Park &amp; Yang's values for all errors</source>
       <translation>Werte von Park &amp; Yang für alle Abweichungen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Part alone</source>
+      <translation>Nur das Teil</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1559,6 +1644,11 @@
       <translation>Zeigen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Show Motion</source>
+      <translation>Bewegung zeigen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Show only: Z, squareness, Spindle …</source>
       <translation>Nur zeigen: Z, Rechtwinkligkeit, Spindel …</translation>
@@ -1777,6 +1867,16 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>The part of all errors, or of all machines, that is below a figure</source>
       <translation>Der Teil aller Abweichungen oder aller Maschinen, der unter einer Kenngröße liegt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The part of the corrected program, in the same colours; needs fitted errors or effects</source>
+      <translation>Das Werkstück des korrigierten Programms in denselben Farben; braucht angepasste Fehler oder Effekte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The part that {name} makes</source>
+      <translation>Das Werkstück von {name}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2154,6 +2254,11 @@
       <translation>Wohin verschieben</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Who makes it</source>
+      <translation>Wer es verursacht</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it carries no name</source>
       <translation>Warum es keinen Namen trägt</translation>
@@ -2162,6 +2267,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it remains</source>
       <translation>Warum er bleibt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>With the corrected program</source>
+      <translation>Mit dem korrigierten Programm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2207,6 +2317,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Writes HTML, JSON and CSV</source>
       <translation>Schreibt HTML, JSON und CSV</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Writes features, shares and pictures of the part</source>
+      <translation>Schreibt Merkmale, Anteile und Bilder des Werkstücks</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
@@ -2379,6 +2494,11 @@
       <translation>Kompensationswerte: Soll minus Ist</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>cylindricity</source>
+      <translation>Zylindrizität</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>declared</source>
       <translation>angesetzt</translation>
@@ -2387,6 +2507,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>direction of sensing {axis}</source>
       <translation>Messrichtung {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>distance</source>
+      <translation>Abstand</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -2424,6 +2549,11 @@
       <translation>Fehler: Ist minus Soll</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>exceeds its limit</source>
+      <translation>überschreitet die Grenze</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>fails</source>
       <translation>nicht eingehalten</translation>
@@ -2437,6 +2567,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>fixed value</source>
       <translation>fester Wert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>flatness</source>
+      <translation>Ebenheit</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -2514,6 +2649,11 @@
       <translation>kein Index</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>none</source>
+      <translation>keine</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>none: moves are shown without their worth</source>
       <translation>keine: Verschiebungen stehen ohne ihren Wert</translation>
@@ -2527,6 +2667,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>normal (Grenzen ±3σ)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>not cut by the path</source>
+      <translation>nicht vom Weg geschnitten</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -2554,14 +2699,29 @@
       <translation>eine Stellung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>parallelism</source>
+      <translation>Parallelität</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>passes</source>
       <translation>eingehalten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>perpendicularity</source>
+      <translation>Rechtwinkligkeit</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>points</source>
       <translation>Punkte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>position</source>
+      <translation>Position</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2619,6 +2779,11 @@
       <translation>rms, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>roundness</source>
+      <translation>Rundheit</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>run</source>
       <translation>Lauf</translation>
@@ -2657,6 +2822,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>Standardunsicherheit</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>straightness</source>
+      <translation>Geradheit</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -2834,6 +3004,21 @@
       <translation>{error} bewegt {body} um {value} {unit} und das Werkzeug um {answer} µm. {times}-fach gezeigt.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{faces} faces are cut. Click a face or a row.</source>
+      <translation>{faces} Flächen werden geschnitten. Klicken Sie auf eine Fläche oder Zeile.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{face}: largest error {value} µm at {place}</source>
+      <translation>{face}: größter Fehler {value} µm bei {place}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{face}: not cut by the path</source>
+      <translation>{face}: nicht vom Weg geschnitten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {rows} Messwerte an {points} Orten</translation>
@@ -2892,6 +3077,11 @@
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>{name}: {low} … {high} mm</source>
       <translation>{name}: {low} … {high} mm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{n} blocks leave the travel of the machine.</source>
+      <translation>{n} Sätze verlassen den Verfahrweg der Maschine.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -3235,6 +3425,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>Ursprüngliche Farben</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Part</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Shows the part that the tool path of the document makes, and who spoils it</source>
+      <translation>Zeigt das Werkstück, das der Werkzeugweg des Dokuments ergibt, und wer es verdirbt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The Part…</source>
+      <translation>Das Werkstück…</translation>
     </message>
   </context>
   <context>

@@ -54,6 +54,11 @@
       <translation>모든 오차의 95 %가 {before} → {after} µm 미만.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>95 % of all parts below {value} µm</source>
+      <translation>전체 공작물의 95 %가 {value} µm 미만</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>3 µm 더 가는 기계의 오차는 +3 µm, 보정값은 −3 µm입니다</translation>
@@ -87,6 +92,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Adds the selected parts</source>
       <translation>선택한 부품을 추가합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>After</source>
+      <translation>보정 후</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trial.py" />
@@ -294,6 +304,11 @@
       <translation>먼저 3D 뷰에서 위치를 클릭하십시오.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Click: the parts of the component light up. Double click: its motion</source>
+      <translation>클릭: 구성 요소의 부품이 강조됩니다. 더블 클릭: 움직임</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Colour by the indices at this position</source>
       <translation>이 위치의 지수로 채색</translation>
@@ -312,6 +327,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>Column</source>
       <translation>열</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Compensated</source>
+      <translation>보정됨</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -377,6 +397,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Correct it, or press Cancel.</source>
       <translation>고치거나 취소를 누르십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Correcting the program</source>
+      <translation>프로그램을 보정하는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -494,6 +519,11 @@
       <translation>오차</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Error across the face, + outwards</source>
+      <translation>면에 수직인 오차, + 바깥쪽</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Error map</source>
       <translation>오차 지도</translation>
@@ -534,6 +564,11 @@
       <translation>과장 배율</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Expected error</source>
+      <translation>기대 오차</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
       <source>Expected error √(E[Y]² + V(Y))</source>
       <translation>기대 오차 √(E[Y]² + V(Y))</translation>
@@ -557,6 +592,16 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Factor</source>
       <translation>계수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Feature</source>
+      <translation>형상</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Features that exceed it are marked; 0: no limit</source>
+      <translation>초과하는 형상을 표시합니다. 0: 한계 없음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -739,6 +784,11 @@
       <translation>이 계획에서 선언된 오차에 가려지는 것</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Hides the machine while the panel is open</source>
+      <translation>패널이 열려 있는 동안 기계를 숨깁니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Home</source>
       <translation>원점</translation>
@@ -752,6 +802,21 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>How it is shown</source>
       <translation>표시 방법</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>How much larger than it is the error is drawn; left: not at all</source>
+      <translation>오차를 실제보다 얼마나 크게 그릴지. 왼쪽: 그리지 않음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>How the largest share of the feature moves the machine</source>
+      <translation>형상에 가장 크게 기여하는 오차가 기계를 움직이는 모습</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Ideal part beside</source>
+      <translation>이상 형상을 옆에</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -787,6 +852,16 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Judged</source>
       <translation>판정</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Judges the faces that the tool path cuts</source>
+      <translation>공구 경로가 깎는 면을 판정합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Judging the faces that the tool path cuts</source>
+      <translation>공구 경로가 깎는 면을 판정하는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -827,6 +902,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Lets the errors follow the source, one undo step</source>
       <translation>오차가 원인을 따르게 합니다(실행 취소 한 단계)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Limit</source>
+      <translation>한계</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -1187,6 +1267,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Park &amp; Yang's values for all errors</source>
       <translation>모든 오차에 Park &amp; Yang의 값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Part alone</source>
+      <translation>공작물만</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1559,6 +1644,11 @@
       <translation>표시</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Show Motion</source>
+      <translation>움직임 보기</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/ranking.py" />
       <source>Show only: Z, squareness, Spindle …</source>
       <translation>이것만 표시: Z, 직각도, 스핀들 …</translation>
@@ -1777,6 +1867,16 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>The part of all errors, or of all machines, that is below a figure</source>
       <translation>지표보다 작은 모든 오차 또는 모든 기계의 비율</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The part of the corrected program, in the same colours; needs fitted errors or effects</source>
+      <translation>보정된 프로그램의 공작물을 같은 색으로 표시합니다. 맞춘 오차나 효과가 필요합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The part that {name} makes</source>
+      <translation>{name}의 공작물</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2154,6 +2254,11 @@
       <translation>어디로 옮길까</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Who makes it</source>
+      <translation>원인</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it carries no name</source>
       <translation>이름을 붙이지 않은 이유</translation>
@@ -2162,6 +2267,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Why it remains</source>
       <translation>남는 이유</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>With the corrected program</source>
+      <translation>보정된 프로그램으로</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/residuals.py" />
@@ -2207,6 +2317,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Writes HTML, JSON and CSV</source>
       <translation>HTML, JSON, CSV를 씁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Writes features, shares and pictures of the part</source>
+      <translation>형상, 기여율, 공작물 그림을 기록합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
@@ -2379,6 +2494,11 @@
       <translation>보정값: 지령값 − 실제값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>cylindricity</source>
+      <translation>원통도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>declared</source>
       <translation>선언 오차</translation>
@@ -2387,6 +2507,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>direction of sensing {axis}</source>
       <translation>측정 방향 {axis}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>distance</source>
+      <translation>거리</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
@@ -2424,6 +2549,11 @@
       <translation>오차: 실제값 − 지령값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>exceeds its limit</source>
+      <translation>한계를 초과합니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>fails</source>
       <translation>불합격</translation>
@@ -2437,6 +2567,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>fixed value</source>
       <translation>고정값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>flatness</source>
+      <translation>평면도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -2514,6 +2649,11 @@
       <translation>지수 없음</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>none</source>
+      <translation>없음</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>none: moves are shown without their worth</source>
       <translation>없음: 이동의 가치는 보이지 않습니다</translation>
@@ -2527,6 +2667,11 @@
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>normal (limits ±3σ)</source>
       <translation>정규 (한계 ±3σ)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>not cut by the path</source>
+      <translation>경로가 깎지 않음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -2554,14 +2699,29 @@
       <translation>한 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>parallelism</source>
+      <translation>평행도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/scenarios.py" />
       <source>passes</source>
       <translation>합격</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>perpendicularity</source>
+      <translation>직각도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>points</source>
       <translation>점</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>position</source>
+      <translation>위치도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2619,6 +2779,11 @@
       <translation>rms, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>roundness</source>
+      <translation>진원도</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>run</source>
       <translation>회차</translation>
@@ -2657,6 +2822,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>standard uncertainty</source>
       <translation>표준 불확도</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>straightness</source>
+      <translation>진직도</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -2834,6 +3004,21 @@
       <translation>{error}은(는) {body}을(를) {value} {unit}, 공구를 {answer} µm 움직입니다. {times}배로 보여 줍니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{faces} faces are cut. Click a face or a row.</source>
+      <translation>깎이는 면 {faces}개. 면이나 행을 클릭하십시오.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{face}: largest error {value} µm at {place}</source>
+      <translation>{face}: 최대 오차 {value} µm, 위치 {place}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{face}: not cut by the path</source>
+      <translation>{face}: 경로가 깎지 않음</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>{file}: {rows} readings at {points} places</source>
       <translation>{file}: {points}개 위치의 측정값 {rows}개</translation>
@@ -2892,6 +3077,11 @@
       <location filename="../../sensworkbench/gui/pointers.py" />
       <source>{name}: {low} … {high} mm</source>
       <translation>{name}: {low} … {high} mm</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>{n} blocks leave the travel of the machine.</source>
+      <translation>{n}개 블록이 기계의 이동 범위를 벗어납니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -3235,6 +3425,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Original Colours</source>
       <translation>원래 색상</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Part</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>Shows the part that the tool path of the document makes, and who spoils it</source>
+      <translation>문서의 공구 경로가 만드는 공작물과 오차의 원인을 보여 줍니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_part.py" />
+      <source>The Part…</source>
+      <translation>공작물…</translation>
     </message>
   </context>
   <context>

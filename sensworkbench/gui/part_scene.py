@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from pivy import coin
 
+from ..studies.part_shape import together
 from .colormap import NO_DATA, Scale
 from .legend import unbounded
 from .pointers import outlines_of
@@ -132,10 +133,11 @@ class PartScene:
         self._ideal_switch.whichChild = coin.SO_SWITCH_ALL if shown else coin.SO_SWITCH_NONE
 
     def fill(self, fields) -> None:
-        """Take the errors of the faces.  fields : name -> `FaceField`; other faces become grey."""
+        """Take the errors of the faces.  fields : name -> `FaceField`; other faces become grey, and follow the rest."""
+        whole = together(fields.values()) if fields else None
         for name, mesh in self.meshes.items():
-            field = fields.get(name)
-            mesh.moved, mesh.value = (None, None) if field is None else field.at(mesh.vertices)
+            mesh.moved = None if whole is None else whole.at(mesh.vertices)[0]
+            mesh.value = None if name not in fields else fields[name].at(mesh.vertices)[1]
 
     def paint(self, scale: Scale, chosen: str = "") -> None:
         """Colour the faces by their values in um; the chosen one has a bright edge of its own colour."""

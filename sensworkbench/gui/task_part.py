@@ -45,7 +45,7 @@ FEATURE, VALUE, UNSURE, AFTER = range(4)
 NAME = Qt.UserRole + 2
 SHARE, WHO = 0, 1
 MOST_SHARES = 8
-SHOWN = 0.06  # of the size of the part, for the largest error, with the slider in the middle
+SHOWN = 0.04  # of the size of the part, for the largest error, with the slider in the middle
 MARK_COLOUR = (0.10, 0.10, 0.10)
 
 NEEDS["path"] = (
@@ -384,6 +384,7 @@ class TaskPart(Panel):
     def _point(self, item, *_) -> None:
         """The parts of a component light up; the machine is shown for it."""
         self.alone.setChecked(False)
+        self.mark.clear()
         pointers.point_at(self.machine, [item.data(WHO, NAME)])
 
     def _move(self, *_) -> None:

@@ -15,7 +15,7 @@ from ..core.refusal import Refused
 from .part import PartResult, nominal_points
 from .part_errors import TolerancedErrors, chunks
 
-NEAREST, MOST = 4, 1200  # points of a face between which is interpolated
+NEAREST, MOST = 6, 1200  # points of a face between which is interpolated
 DRAWN, DRAWS = 3, 16  # which draw of how many is shown as a possible part
 
 
@@ -76,3 +76,14 @@ def face_fields(result: PartResult, names, error=None, path=None) -> dict[str, F
             )
         found[name] = FaceField(name, points @ back, moved @ back, value, signed)
     return found
+
+
+def together(fields) -> FaceField:
+    """One field of several faces, less their mean displacement: a part keeps its edges, and where it stands is not its
+    shape."""
+    fields = list(fields)
+    thin = max(1, sum(len(f.points) for f in fields) // (3 * MOST))
+    points, error, value = (
+        np.concatenate([getattr(f, k)[::thin] for f in fields]) for k in ("points", "error", "value")
+    )
+    return FaceField("", points, error - error.mean(axis=0), value, False)
