@@ -19,6 +19,7 @@ from .pointers import outlines_of
 
 FINENESS, MOST_TRIANGLES = 60.0, 9000  # the part's size over the longest edge of its mesh; triangles of one face
 IDEAL_COLOUR, EDGE_COLOUR, CHOSEN_COLOUR = (0.80, 0.82, 0.85), (0.15, 0.18, 0.22), (0.95, 0.60, 0.05)
+UNCUT = tuple(0.72 * c for c in NO_DATA)
 BESIDE = 1.3  # of its width, for the ideal part
 
 
@@ -87,7 +88,7 @@ class PartScene:
         indices = np.concatenate([mesh.triangles, np.full((len(mesh.triangles), 1), -1)], axis=1).ravel().tolist()
         faces.coordIndex.setValues(0, len(indices), indices)
         material.diffuseColor.setNum(len(mesh.vertices))
-        material.diffuseColor.setValues(0, len(mesh.vertices), [NO_DATA] * len(mesh.vertices))
+        material.diffuseColor.setValues(0, len(mesh.vertices), [UNCUT] * len(mesh.vertices))
         for child in (sides, material, binding, coordinates, faces):
             node.addChild(child)
         self._coloured.addChild(node)
@@ -144,10 +145,11 @@ class PartScene:
         for name, (_, material, _) in self._nodes.items():
             value = self.meshes[name].value
             count = len(self.meshes[name].vertices)
-            colours = [NO_DATA] * count if value is None else [scale.colour(1e3 * v) for v in value.tolist()]
+            colours = [UNCUT] * count if value is None else [scale.colour(1e3 * v) for v in value.tolist()]
             material.diffuseColor.setNum(count)
             material.diffuseColor.setValues(0, count, colours)
-            material.emissiveColor = (0.22, 0.14, 0.0) if name == chosen else (0.0, 0.0, 0.0)
+            bright = 0.0 if value is None else 0.14  # the light of the view must not make zero look like no value
+            material.emissiveColor = (0.30, 0.20, 0.0) if name == chosen else (bright,) * 3
 
     def shape(self, times: float) -> None:
         """Draw the errors `times` as large as they are."""

@@ -257,6 +257,8 @@ class TaskPart(Panel):
         if outside:
             remarks.insert(0, translate("Sens", "{n} blocks leave the travel of the machine.").format(n=outside))
         text = translate("Sens", "{faces} faces are cut. Click a face or a row.").format(faces=len(names))
+        if self.table.topLevelItemCount():
+            self.table.setCurrentItem(self.table.topLevelItem(0))
         self.words.setText(" ".join([text, *remarks]))
         self.fit()
 
@@ -295,9 +297,9 @@ class TaskPart(Panel):
                 tip += "\n" + translate("Sens", "exceeds its limit")
             item.setToolTip(FEATURE, tip)
         self.table.setSortingEnabled(True)
-        self.table.setColumnWidth(FEATURE, 210)
+        self.table.setColumnWidth(FEATURE, 210 if self.found.after is None else 170)
         for column in (VALUE, UNSURE, AFTER):
-            self.table.setColumnWidth(column, 62)
+            self.table.setColumnWidth(column, 62 if self.found.after is None else 52)
 
     # -- choosing ------------------------------------------------------------------------------------------------------
     def _feature(self):
