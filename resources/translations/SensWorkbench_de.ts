@@ -64,6 +64,11 @@
       <translation>Eine Maschine, die 3 µm zu weit fährt, hat den Fehler +3 µm und die Kompensation −3 µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>A swing between the ends, or as fitted along a path or over readings</source>
+      <translation>Schwingen zwischen den Enden, oder wie angepasst am Weg oder über Messwerten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Abbe offset / {unit}</source>
       <translation>Abbe-Abstand / {unit}</translation>
@@ -137,6 +142,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Allowed</source>
       <translation>Zulässig</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Along the tool path</source>
+      <translation>Am Werkzeugweg</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -1244,6 +1254,11 @@
       <translation>Über ein Gitter von {counts} Positionen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Over the readings {name}</source>
+      <translation>Über die Messwerte {name}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Over the workspace, {counts} positions</source>
       <translation>Über den Arbeitsraum, {counts} Positionen</translation>
@@ -1377,6 +1392,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Rank</source>
       <translation>Rang</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Reading the tool path</source>
+      <translation>Der Werkzeugweg wird gelesen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1757,6 +1777,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Suggested</source>
       <translation>Vorschläge</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Swing between the ends</source>
+      <translation>Schwingen zwischen den Enden</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2325,8 +2350,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
-      <source>Writes one period of the motion as numbered PNG pictures into a folder</source>
-      <translation>Schreibt eine Periode der Bewegung als nummerierte PNG-Bilder in einen Ordner</translation>
+      <source>Writes the motion as an animated GIF and as numbered PNG pictures</source>
+      <translation>Schreibt die Bewegung als animiertes GIF und als nummerierte PNG-Bilder</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />

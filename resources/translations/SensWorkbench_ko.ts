@@ -64,6 +64,11 @@
       <translation>3 µm 더 가는 기계의 오차는 +3 µm, 보정값은 −3 µm입니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>A swing between the ends, or as fitted along a path or over readings</source>
+      <translation>양 끝 사이의 왕복, 또는 맞춘 대로 경로나 측정값에 따라</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Abbe offset / {unit}</source>
       <translation>아베 오프셋 / {unit}</translation>
@@ -137,6 +142,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Allowed</source>
       <translation>허용값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Along the tool path</source>
+      <translation>공구 경로를 따라</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_plan.py" />
@@ -1244,6 +1254,11 @@
       <translation>{counts}개 위치의 격자</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Over the readings {name}</source>
+      <translation>측정값 {name}에 따라</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/texts.py" />
       <source>Over the workspace, {counts} positions</source>
       <translation>작업 공간 전체, {counts}개 위치</translation>
@@ -1377,6 +1392,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Rank</source>
       <translation>순위</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Reading the tool path</source>
+      <translation>공구 경로를 읽는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -1757,6 +1777,11 @@
       <location filename="../../sensworkbench/gui/task_machine.py" />
       <source>Suggested</source>
       <translation>제안</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_motion.py" />
+      <source>Swing between the ends</source>
+      <translation>양 끝 사이의 왕복</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -2325,8 +2350,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_motion.py" />
-      <source>Writes one period of the motion as numbered PNG pictures into a folder</source>
-      <translation>움직임 한 주기를 번호 붙은 PNG 그림으로 폴더에 저장합니다</translation>
+      <source>Writes the motion as an animated GIF and as numbered PNG pictures</source>
+      <translation>움직임을 애니메이션 GIF와 번호가 붙은 PNG 그림으로 기록합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />

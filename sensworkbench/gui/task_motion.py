@@ -16,10 +16,14 @@ import numpy as np
 from pivy import coin
 
 from ..core.refusal import Refused
-from ..document import extract, paths, refresh, tree
+from ..core.workspace import Cancelled
+from ..document import cam_path, closed_loop, extract, paths, refresh, tree
 from ..document.base import alive, kind_of
-from ..studies.motion import Motion, motion, movable
-from . import messages
+from ..formats import part_files
+from ..formats.files import write_bytes
+from ..studies.motion import Course, Motion, course, motion, movable
+from ..studies.part_path import of_points
+from . import gif, live, messages
 from .arrows import OFFSET_COLOUR, Arrow, Arrows
 from .command import Command, Where, command
 from .current import current_machine
@@ -36,6 +40,10 @@ PERIOD_S, STEP_MS, FRAMES = 3.0, 40, 24
 SHOWN = 0.08  # of the machine's size, for the tool's answer or the largest displacement
 ANSWER_COLOUR = (0.85, 0.10, 0.15)
 FINENESS_MM = 0.5
+SWING, PATH = "swing", "path"  # what the motion goes over; else the label of readings
+MOMENTS, COURSE_S = 120, 9.0  # of a course, and how long it takes
+MOST_LINE = 3000  # points of a path that is drawn
+GIF_SIZE = (800, 560)
 
 
 class Ghost:
@@ -88,7 +96,8 @@ class Ghost:
 
 
 class TaskMotion(Panel):
-    """The panel.  `moving` : the `Motion` shown; `times` : how much larger than it is; `phase` : -1 to 1."""
+    """The panel.  `moving` : the `Motion` shown; `times` : how much larger than it is; `phase` : -1 to 1; `course` :
+    what it goes over, None for a swing between the ends."""
 
     guide = "5. Jog"
     standard = ("Close",)
@@ -104,12 +113,20 @@ class TaskMotion(Panel):
         machine.ViewObject.RootNode.addChild(self.root)
         self.phase, self.times = 0.0, 1.0
         self.moving: Motion | None = None
+        self.course: Course | None = None
+        self._paths: dict = {}
+        self._began = 0
         self.make_form("SensMotion", translate("Sens", "Motion of {name}").format(name=machine.Label), "Sens_Motion")
         page = QtGui.QVBoxLayout(self.form)
         names = list(movable(self.core))
         self.choice = combo([(n, f"{short_name(machine, n)}: {meaning(machine, n)}") for n in names])
         self.choice.setObjectName("SensMotionOf")
         page.addWidget(self.choice)
+        self.over = combo(self._courses())
+        self.over.setObjectName("SensMotionOver")
+        self.over.setToolTip(translate("Sens", "A swing between the ends, or as fitted along a path or over readings"))
+        self.over.setVisible(self.over.count() > 1)
+        page.addWidget(self.over)
         row = QtGui.QHBoxLayout()
         row.addWidget(QtGui.QLabel(translate("Sens", "Exaggeration")))
         self.slider = QtGui.QSlider(Qt.Horizontal)
@@ -121,19 +138,54 @@ class TaskMotion(Panel):
         self.note.setWordWrap(True)
         page.addWidget(self.note)
         save = QtGui.QPushButton(translate("Sens", "Save pictures…"))
-        save.setToolTip(translate("Sens", "Writes one period of the motion as numbered PNG pictures into a folder"))
+        save.setToolTip(translate("Sens", "Writes the motion as an animated GIF and as numbered PNG pictures"))
         save.clicked.connect(self.ask_and_save)
         page.addWidget(save)
         page.addStretch(1)
         if label in names:
             self.choice.setCurrentIndex(names.index(label))
         self.choice.currentIndexChanged.connect(self.show)
+        self.over.currentIndexChanged.connect(self.show)
         self.slider.valueChanged.connect(self._scaled)
         self._clock, self._timer = QtCore.QElapsedTimer(), QtCore.QTimer()
         self._timer.timeout.connect(self._tick)
         self._clock.start()
         self.show()
         self._timer.start(STEP_MS)
+
+    # -- what it goes over -----------------------------------------------------------------------------------------
+    def _courses(self) -> list[tuple[str, str]]:
+        found = [(SWING, translate("Sens", "Swing between the ends"))]
+        if self.core.fitted is None and not any(e.enabled and e.coefficients for e in self.core.effects):
+            return found
+        if cam_path.has_path(self.machine.Document):
+            found.append((PATH, translate("Sens", "Along the tool path")))
+        for table in tree.readings_of(self.machine):
+            found.append((table.Name, translate("Sens", "Over the readings {name}").format(name=table.Label)))
+        return found
+
+    def _path(self, what: str):
+        """The path of a job, or the places of readings, read once."""
+        if what not in self._paths:
+            document, core = self.machine.Document, self.core
+            if what == PATH:
+                given = cam_path.given(cam_path.of_document(document), core)
+                options = part_files.Options()
+                job = live.in_background(
+                    lambda progress: part_files.read(core, document.Name, options, given, progress),
+                    translate("Sens", "Reading the tool path"),
+                )
+                self._paths[what] = job.path
+            else:
+                rows = closed_loop.read(document.getObject(what))
+                self._paths[what] = of_points(core, rows, None, {})
+        return self._paths[what]
+
+    def _course(self, label: str) -> Course | None:
+        what = self.over.itemData(self.over.currentIndex())
+        if what in (None, SWING):
+            return None
+        return course(self.core, label, self._path(what), MOMENTS)
 
     # -- what is shown ---------------------------------------------------------------------------------------------
     def show(self, *_) -> None:
@@ -144,10 +196,16 @@ class TaskMotion(Panel):
         if label is None:
             return
         try:
-            self.moving = motion(self.core, label, self.at)
+            self.course = None
+            moving = motion(self.core, label, self.at)
+            self.course = self._course(label)
         except Refused as refused:
             self.note.setText(messages.words(refused))
             return
+        except Cancelled:
+            self.over.setCurrentIndex(0)
+            return
+        self.moving = moving
         moving = self.moving
         self.ghost = Ghost(self.machine, moving.bodies)
         body = tree.body_of(self.machine, moving.body)
@@ -157,11 +215,22 @@ class TaskMotion(Panel):
         self.size = extent(self.machine)
         far = np.abs(self.ghost.corners - self.centre).max() if len(self.ghost.corners) else 0.0
         largest = max(
-            np.linalg.norm(moving.answer), np.linalg.norm(moving.shift), np.linalg.norm(moving.turn) * far, 1e-12
+            np.linalg.norm(moving.answer) if self.course is None else np.linalg.norm(self.course.answer, axis=1).max(),
+            np.linalg.norm(moving.shift),
+            np.linalg.norm(moving.turn) * far,
+            1e-12,
         )
         self.usual = SHOWN * self.size / largest
         self._copies.addChild(self.ghost.root)
+        self.arrows.outline([] if self.course is None else [self._line()])
+        self._began = self._clock.elapsed()
         self._scaled()
+
+    def _line(self) -> list:
+        """The places of the course, as a line in the view."""
+        path = self._path(self.over.itemData(self.over.currentIndex()))
+        rows = np.unique(np.linspace(0, path.points - 1, MOST_LINE).astype(int))
+        return [tuple(p) for p in self.core.tool_position(path.q[rows], path.contact[rows]).tolist()]
 
     def _scaled(self, *_) -> None:
         if self.moving is None:
@@ -189,6 +258,9 @@ class TaskMotion(Panel):
         if self.moving is None or self.ghost is None:
             return
         moving = self.moving
+        if self.course is not None:
+            self._draw_course(int(round((phase + 1) / 2 * (MOMENTS - 1))))
+            return
         shift = phase * (moving.slide + self.times * moving.shift)
         self.ghost.place(shift, phase * self.times * moving.turn, self.centre)
         tip = self.tip + (phase * moving.slide if self.core.side(moving.body) > 0 else 0.0)
@@ -203,32 +275,67 @@ class TaskMotion(Panel):
             self.size,
         )
 
+    def _draw_course(self, moment: int) -> None:
+        """Show a moment of the course: the body as displaced then, the point that cuts, and its error as an arrow."""
+        moving, now = self.moving, self.course
+        share = float(now.value[moment] / moving.value) if moving.value else 0.0
+        self.ghost.place(share * self.times * moving.shift, share * self.times * moving.turn, self.centre)
+        place, answer = now.place[moment], now.answer[moment]
+        c = self.core.component(moving.symbol)
+        unit = {"um": "µm", "urad": "µrad"}.get(c.unit, c.unit)
+        words = f"{c.to_shown(now.value[moment]):+.3g} {unit}  →  {1e3 * np.linalg.norm(answer):.2g} µm"
+        if now.t is not None:
+            seconds = now.t[moment] - now.t.min()
+            words = (
+                (f"{seconds:.0f} s" if now.t.max() - now.t.min() < 600 else f"{seconds / 60:.0f} min") + "\n" + words
+            )
+        end = place + self.times * answer
+        self.arrows.show([Arrow(tuple(place.tolist()), tuple(end.tolist()), ANSWER_COLOUR, words, 1.0)], self.size)
+
     def _tick(self) -> None:
+        if self.course is not None:
+            self.draw(2 * ((self._clock.elapsed() - self._began) / 1000 / COURSE_S % 1.0) - 1)
+            return
         self.draw(math.sin(2 * math.pi * self._clock.elapsed() / 1000 / PERIOD_S))
 
     # -- pictures --------------------------------------------------------------------------------------------------
     def ask_and_save(self, *_) -> list[Path]:
         """Ask for a folder and save the pictures there; returns their paths."""
         folder = messages.ask_folder(translate("Sens", "Folder for the pictures"))
-        names = [f"motion_{i:02d}.png" for i in range(FRAMES)]
+        names = [*(["motion.gif"] if gif.available() else []), *(f"motion_{i:02d}.png" for i in range(FRAMES))]
         if not folder or not messages.may_write(folder, names):
             return []
         written = self.save(folder)
         messages.written(written)
         return written
 
-    def save(self, folder) -> list[Path]:
-        """Write one period as FRAMES pictures into a folder; returns their paths."""
+    def frames(self, count: int = FRAMES, size: tuple[int, int] = GIF_SIZE) -> list[bytes]:
+        """PNG pictures of one period, or of the whole course; empty without a view."""
         self._timer.stop()
+        found = []
+        try:
+            for i in range(count):
+                self.draw(math.sin(2 * math.pi * i / count) if self.course is None else 2 * i / max(count - 1, 1) - 1)
+                data = picture(self.machine.Document, *size)
+                if data is not None:
+                    found.append(data)
+        finally:
+            self._timer.start(STEP_MS)
+        return found
+
+    def save(self, folder) -> list[Path]:
+        """Write the motion as FRAMES pictures and, where Pillow is there, as a GIF into a folder; returns their
+        paths."""
+        shown = self.frames(FRAMES)
+        files = {f"motion_{i:02d}.png": data for i, data in enumerate(shown)}
+        lasts = PERIOD_S if self.course is None else COURSE_S
+        moving = gif.animated(shown, int(1000 * lasts / FRAMES))
+        if moving is not None:
+            files = {"motion.gif": moving, **files}
         written = []
-        for i in range(FRAMES):
-            self.draw(math.sin(2 * math.pi * i / FRAMES))
-            data = picture(self.machine.Document)
-            if data is not None:
-                path = Path(folder) / f"motion_{i:02d}.png"
-                path.write_bytes(data)
-                written.append(path)
-        self._timer.start(STEP_MS)
+        for name, data in files.items():
+            write_bytes(Path(folder) / name, data)
+            written.append(Path(folder) / name)
         return written
 
     # -- the end ---------------------------------------------------------------------------------------------------

@@ -13,9 +13,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..core.driver import TIME
 from ..core.machine import Machine
 from ..core.refusal import Refused
 from ..core.synthesis import omega
+from ..core.toolpath import ToolPath
+from .part_errors import FittedErrors
 
 SAMPLES = 201  # of a fitted function over the travel
 
@@ -100,3 +103,43 @@ def motion(machine: Machine, label: str, q) -> Motion:
     return Motion(
         label, symbol, c.body, carried(machine, c.body), value, turn, shift, slide, machine.frame @ column * value
     )
+
+
+@dataclass(frozen=True)
+class Course:
+    """How an error or effect goes on along a path or over readings: F moments.
+
+    at : (F,) rows.  q : (F, J) positions, mm or rad.  t : (F,) s, or None where no time is known.  value : (F,) mm or
+    rad.  answer : (F, 3) mm, displacement of the tool relative to the workpiece.  place : (F, 3) mm, nominal place of
+    the point that cuts, over the workpiece.  All in the frame of the file.
+    """
+
+    at: np.ndarray
+    q: np.ndarray
+    t: np.ndarray | None
+    value: np.ndarray
+    answer: np.ndarray
+    place: np.ndarray
+
+
+def course(machine: Machine, label: str, path: ToolPath, moments: int) -> Course:
+    """The fitted error or traced effect `label` at `moments` rows of a path, equally spaced in time where it is known.
+
+    Refuses errors of which only a tolerance is known, and a path that lacks the columns of the effects.
+    """
+    errors = FittedErrors(machine, path)
+    if label not in errors.labels:
+        raise Refused("motion-no-course", machine.name, label=label[:60])
+    k = errors.labels.index(label)
+    t = path.columns.get(TIME)
+    if t is None or not np.isfinite(t).all() or not np.ptp(t) > 0:
+        at, t = np.linspace(0, path.points - 1, moments).round().astype(int), None
+    else:
+        order = np.argsort(t, kind="stable")
+        at = order[np.searchsorted(t[order], np.linspace(t.min(), t.max(), moments)).clip(0, path.points - 1)]
+    made = errors.functions[k]
+    value = made.values(at) @ made.coefficients
+    column = omega(machine, [made.symbol], path.q[at], path.contact[at])[:, :, 0]
+    answer = (column * value[:, None]) @ machine.frame.T
+    return Course(at, path.q[at], None if t is None else t[at], value, answer,
+                  machine.tool_position(path.q[at], path.contact[at]))  # fmt: skip

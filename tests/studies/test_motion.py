@@ -56,3 +56,44 @@ def test_fitted_functions_and_effects_have_their_own_sizes():
     assert motion(model, "bend", np.zeros(3)).symbol == "EAZ"
     with pytest.raises(Refused):
         motion(model, "EXW", np.zeros(3))
+
+
+def along(model, q, **columns):
+    from sensworkbench.closedloop.readings import Readings
+    from sensworkbench.studies.part_path import of_points
+
+    q = np.asarray(q, dtype=float)
+    place = dict(zip("xyz", q.T)) | {k: np.asarray(v, dtype=float) for k, v in columns.items()}
+    return of_points(model, Readings.from_vectors(q, np.full((len(q), 3), np.nan), place), None, {})
+
+
+def test_a_fitted_error_goes_along_a_path_as_its_function():
+    """EXX = 7 um q/300: its value and the tool's answer follow the position of X; moments are equal in time."""
+    from sensworkbench.studies.motion import course
+
+    fitted = {"EXX": {"basis": "legendre", "domain": [-300, 300], "coefficients": [0, 7], "unit": "um"}}
+    model = machine_json.loads(json.dumps(golden(fitted=fitted)), "m")
+    x = np.concatenate([np.linspace(-300, 0, 11), np.linspace(0, 300, 301)[1:]])
+    t = np.concatenate([np.linspace(0, 50, 11), np.linspace(50, 100, 301)[1:]])
+    found = course(model, "EXX", along(model, np.stack([x, 0 * x, 0 * x], 1), t=t), 21)
+    assert found.t == pytest.approx(np.linspace(0, 100, 21), abs=0.2)
+    assert found.value == pytest.approx(7e-3 * found.q[:, 0] / 300)
+    size = 7e-3 * np.abs(found.q[:, 0]) / 300
+    assert np.linalg.norm(found.answer, axis=1) == pytest.approx(size, abs=1e-12)
+    assert np.ptp(found.place[:, 0]) == pytest.approx(600)
+    with pytest.raises(Refused) as refused:
+        course(model, "EAZ", along(model, [[0, 0, 0.0], [1, 0, 0]]), 5)
+    assert refused.value.code == "motion-no-course"
+
+
+def test_a_traced_effect_goes_over_time_as_its_driver():
+    parameters = {"coefficient": {"value": 2.0, "unit": "urad/K"}, "extent": {"value": [-6, 9], "unit": "urad"}}
+    effect = {"name": "bend", "component": "EAZ", "driver": "temp_column", "shape": "linear", "parameters": parameters,
+              "enabled": True}  # fmt: skip
+    from sensworkbench.studies.motion import course
+
+    model = machine_json.loads(json.dumps(golden(effects=[effect])), "m")
+    t = np.linspace(0, 3600, 61)
+    path = along(model, np.zeros((61, 3)), t=t, temp_column=20 + t / 1200)
+    found = course(model, "bend", path, 13)
+    assert np.diff(found.value) == pytest.approx(np.full(12, 2e-6 * 3 / 12), rel=1e-6)
