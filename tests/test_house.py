@@ -35,8 +35,8 @@ FREECAD = {
 }
 WINDOW = {"FreeCADGui", "ImportGui", "PySide", "pivy"}
 EXTRAS = {"distributed"}  # `pip install sensworkbench[cluster]`: the command line may use it where it is
-OUTSIDE = {"numpy", "matplotlib", "scipy", "PySide", "pivy"} | FREECAD
-OPTIONAL = {"matplotlib", "scipy"}  # come with FreeCAD, may be missing under plain Python
+OUTSIDE = {"numpy", "matplotlib", "scipy", "PIL", "PySide", "pivy"} | FREECAD
+OPTIONAL = {"matplotlib", "scipy", "PIL"}  # come with FreeCAD, may be missing under plain Python
 FORBIDDEN = {
     "messages": FREECAD | WINDOW | OPTIONAL | {"numpy"},
     "core": FREECAD | WINDOW | OPTIONAL,
