@@ -59,6 +59,11 @@
       <translation>95 % aller Werkstücke unter {value} µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>A FreeCAD process ended without an answer; the report view may say why.</source>
+      <translation>Ein FreeCAD-Prozess endete ohne Antwort; die Ausgabeansicht nennt vielleicht den Grund.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>Eine Maschine, die 3 µm zu weit fährt, hat den Fehler +3 µm und die Kompensation −3 µm</translation>
@@ -254,6 +259,11 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Cancelled. Run… with the same folder goes on from there.</source>
+      <translation>Abgebrochen. Starten… mit demselben Ordner fährt dort fort.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Cancelled; nothing was changed</source>
       <translation>Abgebrochen; nichts wurde geändert</translation>
@@ -262,6 +272,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Catalogue</source>
       <translation>Katalog</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Cells of spreadsheets and properties: FreeCAD recomputes each variant</source>
+      <translation>Zellen von Tabellen und Eigenschaften: FreeCAD berechnet jede Variante neu</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -369,9 +384,19 @@
       <translation>Neu berechnen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes every variant; asks for the folder of the files</source>
+      <translation>Berechnet jede Variante; fragt nach dem Ordner der Dateien</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Computes the indices of the machine as it is now</source>
       <translation>Berechnet die Indizes der Maschine, wie sie jetzt ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes the machine in many variants and shows which of them are best.</source>
+      <translation>Berechnet die Maschine in vielen Varianten und zeigt, welche die besten sind.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -382,6 +407,11 @@
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Computing the indices at {n} positions</source>
       <translation>Berechne die Indizes an {n} Positionen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computing {n} variants</source>
+      <translation>{n} Varianten werden berechnet</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -462,6 +492,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Defaults</source>
       <translation>Vorgaben</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Design</source>
+      <translation>Versuchsplan</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -694,6 +729,11 @@
       <translation>Ordner für die Ursachensuche</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Folder for the variants</source>
+      <translation>Ordner für die Varianten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Format</source>
       <translation>Format</translation>
@@ -702,6 +742,16 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Found again in half-samples</source>
       <translation>In halben Stichproben wiedergefunden</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>FreeCAD processes that compute variants beside each other</source>
+      <translation>FreeCAD-Prozesse, die nebeneinander Varianten berechnen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>From</source>
+      <translation>Von</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -892,6 +942,11 @@
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>Größter totaler Index Sᵀ der Komponente</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Latin hypercube</source>
+      <translation>Latin Hypercube</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -1169,6 +1224,11 @@
       <translation>Jetzt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Number of variants</source>
+      <translation>Zahl der Varianten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>Zielgröße</translation>
@@ -1207,6 +1267,16 @@
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Open the report</source>
       <translation>Bericht öffnen</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Opens the page with all variants and the Pareto front</source>
+      <translation>Öffnet die Seite mit allen Varianten und der Pareto-Front</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Open…</source>
+      <translation>Öffnen…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1264,12 +1334,12 @@
       <translation>Über den Arbeitsraum, {counts} Positionen</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Parameter</source>
       <translation>Parameter</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Parameters</source>
       <translation>Parameter</translation>
     </message>
@@ -1277,6 +1347,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Parameters (–: not determined)</source>
       <translation>Parameter (–: nicht bestimmt)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Pareto front</source>
+      <translation>Pareto-Front</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1302,6 +1377,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Per axis</source>
       <translation>Je Achse</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Picture</source>
+      <translation>Bild</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -1409,6 +1489,11 @@
       <translation>Liest eine Kovarianz: Namen der Abweichungen in erster Zeile und Spalte, µm und µrad</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Reads a sweep.json, to change it or to go on where it was cancelled</source>
+      <translation>Liest eine sweep.json, um sie zu ändern oder nach einem Abbruch fortzufahren</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
       <translation>Liest Preise: symbol, kind, c, k, lower, upper, oder Güten (siehe Allocation)</translation>
@@ -1474,6 +1559,11 @@
       <translation>Maschine reparieren</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Report</source>
+      <translation>Bericht</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>Bericht…</translation>
@@ -1512,6 +1602,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Room</source>
       <translation>Spielraum</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Run…</source>
+      <translation>Starten…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -1699,6 +1794,11 @@
       <translation>Schnitt bei {axis}</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Sobol' points</source>
+      <translation>Sobol-Punkte</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Source</source>
       <translation>Quelle</translation>
@@ -1712,6 +1812,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Sources: {n}. Compute gives their shares in the ranking.</source>
       <translation>Quellen: {n}. Berechnen gibt ihre Anteile in der Rangfolge.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Specification of a sweep</source>
+      <translation>Vorgabe einer Variantenrechnung</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1742,6 +1847,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Start over</source>
       <translation>Von vorn</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Steps</source>
+      <translation>Schritte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -1857,6 +1967,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file says so in line {line}.</source>
       <translation>Die Datei sagt es in Zeile {line}.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>The first {n} are shown.</source>
+      <translation>Gezeigt werden die ersten {n}.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -2104,6 +2219,11 @@
       <translation>Ausprobieren</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Try many designs</source>
+      <translation>Viele Entwürfe probieren</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Type a value and select the errors that take it.</source>
       <translation>Einen Wert eingeben und die Abweichungen wählen, die ihn erhalten.</translation>
@@ -2149,6 +2269,11 @@
       <translation>Einheiten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Up to</source>
+      <translation>Bis</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Upper</source>
       <translation>Obere</translation>
@@ -2184,9 +2309,24 @@
       <translation>Wert</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Values</source>
+      <translation>Werte</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Variance-weighted total index Sᵀ</source>
       <translation>Varianzgewichteter totaler Index Sᵀ</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Variants</source>
+      <translation>Varianten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Vary</source>
+      <translation>Variieren</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -2217,6 +2357,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>What if</source>
       <translation>Was wäre wenn</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>What is computed for each variant</source>
+      <translation>Was für jede Variante berechnet wird</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2274,6 +2419,11 @@
       <translation>Fährt ein Tisch nach +X, bewegt sich das Werkzeug am Werkstück nach −X</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Where the number stands: joints.Z.point.2, Spreadsheet.reach, Box.Length</source>
+      <translation>Wo die Zahl steht: joints.Z.point.2, Spreadsheet.reach, Box.Length</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Where to move</source>
       <translation>Wohin verschieben</translation>
@@ -2302,6 +2452,11 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>With the found effects</source>
       <translation>Mit den gefundenen Effekten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Workers</source>
+      <translation>Prozesse</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -2444,6 +2599,11 @@
       <translation>ein Koordinatensystem namens TCP oder Werkzeugspitze, falls vorhanden</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>a list</source>
+      <translation>eine Liste</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>a quarter</source>
       <translation>ein Viertel</translation>
@@ -2514,6 +2674,16 @@
       <translation>Katalog, relative Kosten</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>cells, properties</source>
+      <translation>Zellen, Eigenschaften</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>chosen</source>
+      <translation>gewählt</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>Kompensationswerte: Soll minus Ist</translation>
@@ -2572,6 +2742,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>errors: actual minus commanded</source>
       <translation>Fehler: Ist minus Soll</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>every combination</source>
+      <translation>jede Kombination</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
@@ -2702,6 +2877,16 @@
       <location filename="../../sensworkbench/gui/task_plan.py" />
       <source>not determined</source>
       <translation>nicht bestimmt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>nothing</source>
+      <translation>nichts</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>numbers of the machine</source>
+      <translation>Zahlen der Maschine</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -2974,6 +3159,11 @@
       <translation>gleichverteilt</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>variants</source>
+      <translation>Varianten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>with effects</source>
       <translation>mit Effekten</translation>
@@ -3119,9 +3309,19 @@
       <translation>{n} Abweichungen eingelesen.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>{n} of them are there already</source>
+      <translation>{n} davon sind schon vorhanden</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>{n} rows copied</source>
       <translation>{n} Zeilen kopiert</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>{n} variants, {best} on the Pareto front (bold), {refused} refused. Files: {folder}</source>
+      <translation>{n} Varianten, {best} auf der Pareto-Front (fett), {refused} abgelehnt. Dateien: {folder}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -3541,6 +3741,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>Sensitivität</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Sweep</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes the machine in many variants: table, Pareto front, parallel coordinates</source>
+      <translation>Berechnet die Maschine in vielen Varianten: Tabelle, Pareto-Front, Parallelkoordinaten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Try Many Designs…</source>
+      <translation>Viele Entwürfe probieren…</translation>
     </message>
   </context>
   <context>

@@ -59,6 +59,11 @@
       <translation>전체 공작물의 95 %가 {value} µm 미만</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>A FreeCAD process ended without an answer; the report view may say why.</source>
+      <translation>FreeCAD 프로세스가 응답 없이 끝났습니다. 보고서 보기에 이유가 있을 수 있습니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>A machine that goes 3 µm too far has an error of +3 µm and a compensation of −3 µm</source>
       <translation>3 µm 더 가는 기계의 오차는 +3 µm, 보정값은 −3 µm입니다</translation>
@@ -254,6 +259,11 @@
       <translation>취소</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Cancelled. Run… with the same folder goes on from there.</source>
+      <translation>취소했습니다. 같은 폴더로 실행…하면 이어서 계산합니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Cancelled; nothing was changed</source>
       <translation>취소됨; 바뀐 것이 없습니다</translation>
@@ -262,6 +272,11 @@
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Catalogue</source>
       <translation>목록</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Cells of spreadsheets and properties: FreeCAD recomputes each variant</source>
+      <translation>스프레드시트 셀과 속성: FreeCAD가 각 변형을 다시 계산합니다</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -369,9 +384,19 @@
       <translation>다시 계산</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes every variant; asks for the folder of the files</source>
+      <translation>모든 변형을 계산합니다. 파일 폴더를 묻습니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Computes the indices of the machine as it is now</source>
       <translation>현재 기계의 지수를 계산합니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes the machine in many variants and shows which of them are best.</source>
+      <translation>기계의 여러 변형을 계산하고 어느 것이 가장 좋은지 보여 줍니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -382,6 +407,11 @@
       <location filename="../../sensworkbench/gui/live.py" />
       <source>Computing the indices at {n} positions</source>
       <translation>{n}개 위치에서 지수를 계산하는 중</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computing {n} variants</source>
+      <translation>변형 {n}개를 계산하는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -462,6 +492,11 @@
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Defaults</source>
       <translation>기본값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Design</source>
+      <translation>계획</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -694,6 +729,11 @@
       <translation>추적 결과 폴더</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Folder for the variants</source>
+      <translation>변형 폴더</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
       <source>Format</source>
       <translation>형식</translation>
@@ -702,6 +742,16 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Found again in half-samples</source>
       <translation>절반 표본에서 다시 발견</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>FreeCAD processes that compute variants beside each other</source>
+      <translation>변형을 나란히 계산하는 FreeCAD 프로세스 수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>From</source>
+      <translation>부터</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -892,6 +942,11 @@
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Largest total index Sᵀ of the component</source>
       <translation>구성요소의 최대 전체 지수 Sᵀ</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Latin hypercube</source>
+      <translation>라틴 하이퍼큐브</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -1169,6 +1224,11 @@
       <translation>지금</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Number of variants</source>
+      <translation>변형의 수</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/objective_form.py" />
       <source>Objective</source>
       <translation>목적 함수</translation>
@@ -1207,6 +1267,16 @@
       <location filename="../../sensworkbench/gui/messages.py" />
       <source>Open the report</source>
       <translation>보고서 열기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Opens the page with all variants and the Pareto front</source>
+      <translation>모든 변형과 파레토 경계가 있는 페이지를 엽니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Open…</source>
+      <translation>열기…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
@@ -1264,12 +1334,12 @@
       <translation>작업 공간 전체, {counts}개 위치</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Parameter</source>
       <translation>매개변수</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Parameters</source>
       <translation>매개변수</translation>
     </message>
@@ -1277,6 +1347,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Parameters (–: not determined)</source>
       <translation>매개변수 (–: 결정되지 않음)</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Pareto front</source>
+      <translation>파레토 경계</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
@@ -1302,6 +1377,11 @@
       <location filename="../../sensworkbench/gui/review_settings.py" />
       <source>Per axis</source>
       <translation>축당</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Picture</source>
+      <translation>그림</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -1409,6 +1489,11 @@
       <translation>공분산을 읽습니다: 첫 행과 첫 열에 오차 이름, µm와 µrad</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Reads a sweep.json, to change it or to go on where it was cancelled</source>
+      <translation>sweep.json을 읽어 바꾸거나 취소한 곳부터 계속합니다</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_allocation.py" />
       <source>Reads prices: symbol, kind, c, k, lower, upper, or grades (see Allocation)</source>
       <translation>가격을 읽습니다: symbol, kind, c, k, lower, upper 또는 등급(Allocation 참조)</translation>
@@ -1474,6 +1559,11 @@
       <translation>기계 복구</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Report</source>
+      <translation>보고서</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/review.py" />
       <source>Report…</source>
       <translation>보고서…</translation>
@@ -1512,6 +1602,11 @@
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Room</source>
       <translation>여유</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Run…</source>
+      <translation>실행…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -1699,6 +1794,11 @@
       <translation>{axis} 단면</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Sobol' points</source>
+      <translation>소볼 점</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Source</source>
       <translation>원인</translation>
@@ -1712,6 +1812,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Sources: {n}. Compute gives their shares in the ranking.</source>
       <translation>원인: {n}. 계산하면 순위에 몫이 나옵니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Specification of a sweep</source>
+      <translation>변형 계산 지정 파일</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -1742,6 +1847,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Start over</source>
       <translation>처음부터</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Steps</source>
+      <translation>단계</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/live.py" />
@@ -1857,6 +1967,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>The file says so in line {line}.</source>
       <translation>파일 {line}번째 줄에 적혀 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>The first {n} are shown.</source>
+      <translation>처음 {n}개를 표시합니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -2104,6 +2219,11 @@
       <translation>움직여 보기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Try many designs</source>
+      <translation>여러 설계 시험</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Type a value and select the errors that take it.</source>
       <translation>값을 입력하고 적용할 오차를 선택하십시오.</translation>
@@ -2149,6 +2269,11 @@
       <translation>단위</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Up to</source>
+      <translation>까지</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_tolerances.py" />
       <source>Upper</source>
       <translation>상한</translation>
@@ -2184,9 +2309,24 @@
       <translation>값</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Values</source>
+      <translation>값</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>Variance-weighted total index Sᵀ</source>
       <translation>분산 가중 전체 지수 Sᵀ</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Variants</source>
+      <translation>변형</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Vary</source>
+      <translation>변경 대상</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
@@ -2217,6 +2357,11 @@
       <location filename="../../sensworkbench/gui/review.py" />
       <source>What if</source>
       <translation>가정 분석</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>What is computed for each variant</source>
+      <translation>각 변형에 대해 계산할 값</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -2274,6 +2419,11 @@
       <translation>테이블이 +X로 가면 공구는 공작물에서 −X로 움직입니다</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Where the number stands: joints.Z.point.2, Spreadsheet.reach, Box.Length</source>
+      <translation>수치의 위치: joints.Z.point.2, Spreadsheet.reach, Box.Length</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_moves.py" />
       <source>Where to move</source>
       <translation>어디로 옮길까</translation>
@@ -2302,6 +2452,11 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>With the found effects</source>
       <translation>발견된 효과 포함</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Workers</source>
+      <translation>작업자</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
@@ -2444,6 +2599,11 @@
       <translation>이름이 TCP 또는 공구 끝인 좌표계(있는 경우)</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>a list</source>
+      <translation>목록</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>a quarter</source>
       <translation>4분의 1</translation>
@@ -2514,6 +2674,16 @@
       <translation>목록, 상대 비용</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>cells, properties</source>
+      <translation>셀, 속성</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>chosen</source>
+      <translation>선택</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>compensation values: commanded minus actual</source>
       <translation>보정값: 지령값 − 실제값</translation>
@@ -2572,6 +2742,11 @@
       <location filename="../../sensworkbench/gui/task_readings.py" />
       <source>errors: actual minus commanded</source>
       <translation>오차: 실제값 − 지령값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>every combination</source>
+      <translation>모든 조합</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
@@ -2702,6 +2877,16 @@
       <location filename="../../sensworkbench/gui/task_plan.py" />
       <source>not determined</source>
       <translation>결정되지 않음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>nothing</source>
+      <translation>없음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>numbers of the machine</source>
+      <translation>기계의 수치</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -2974,6 +3159,11 @@
       <translation>균등</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>variants</source>
+      <translation>변형</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>with effects</source>
       <translation>효과 포함</translation>
@@ -3119,9 +3309,19 @@
       <translation>오차 {n}개를 읽었습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>{n} of them are there already</source>
+      <translation>그중 {n}개는 이미 있음</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/copying.py" />
       <source>{n} rows copied</source>
       <translation>{n}행을 복사했습니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>{n} variants, {best} on the Pareto front (bold), {refused} refused. Files: {folder}</source>
+      <translation>변형 {n}개, 파레토 경계 {best}개(굵게), 거부 {refused}개. 파일: {folder}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_limits.py" />
@@ -3541,6 +3741,19 @@
       <location filename="../../sensworkbench/gui/analysis.py" />
       <source>Sensitivity</source>
       <translation>민감도</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Sweep</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Computes the machine in many variants: table, Pareto front, parallel coordinates</source>
+      <translation>기계의 여러 변형을 계산합니다: 표, 파레토 경계, 평행 좌표</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <source>Try Many Designs…</source>
+      <translation>여러 설계 시험…</translation>
     </message>
   </context>
   <context>

@@ -28,7 +28,7 @@ class DocumentJudge:
     def __init__(self, path, paths: Sequence[str], outputs: Sequence[str]):
         self.opened = open_document(path)
         try:
-            self.places = [_place(self.opened.document, p) for p in paths]
+            self.places = [place(self.opened.document, p) for p in paths]
             machine = core_machine(self.opened.machine)
             self.outputs = [check_output(name, machine) for name in outputs]
         except Refused:
@@ -41,8 +41,8 @@ class DocumentJudge:
     def _judged(self, values) -> Judged:
         document = self.opened.document
         try:
-            for place, value in zip(self.places, values):
-                place(float(value))
+            for put, value in zip(self.places, values):
+                put(float(value))
             document.recompute()
             broken = [o.Label for o in document.Objects if "Invalid" in o.State]
             if broken:
@@ -58,12 +58,34 @@ class DocumentJudge:
         self.opened.close()
 
 
-def _place(document, path: str):
-    """A function that puts a number where `path` leads."""
+def value(document, path: str) -> float:
+    """The number that stands where `path` leads; 0 where it cannot be read."""
+    obj, rest = _object(document, path)
+    try:
+        found = obj.getPropertyByName(rest) if rest in obj.PropertiesList else None
+        if found is None and obj.isDerivedFrom("Spreadsheet::Sheet"):
+            found = obj.get(rest)
+        if found is None:
+            found = obj
+            for step in rest.split("."):
+                found = getattr(found, step)
+        return float(getattr(found, "Value", found))
+    except (AttributeError, TypeError, ValueError):
+        return 0.0
+
+
+def _object(document, path: str):
+    """(object, the rest of the path) of a path; refuses one that names no object."""
     name, _, rest = path.partition(".")
     obj = document.getObject(name) or next((o for o in document.Objects if o.Label == name), None)
     if obj is None or not rest:
         raise Refused("sweep-object", "parameters", path=path[:80], object=name[:40])
+    return obj, rest
+
+
+def place(document, path: str):
+    """A function that puts a number where `path` leads."""
+    obj, rest = _object(document, path)
     if obj.isDerivedFrom("Spreadsheet::Sheet") and rest not in obj.PropertiesList:
         return _cell(obj, rest, path)
     if obj.isDerivedFrom("Spreadsheet::Sheet") and obj.getCellFromAlias(rest):

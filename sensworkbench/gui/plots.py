@@ -162,3 +162,63 @@ def driver(width, x, asked, fitted, single_valued: bool, names, xlabel, ylabel, 
     else:
         plot.dots(x, fitted, FITTED)
     return plot.done()
+
+
+def parallel(width: int, height: int, names, rows, marked, chosen, legend, palette, most: int = 600):
+    """Parallel coordinates: one line per row over one upright axis per name, each on its own scale; a QImage.
+
+    rows : (P, n) numbers.  marked, chosen : (P,) whether a row is drawn on top, in a second or third colour.  legend :
+    the three words.  Of rows that are neither at most `most` are drawn, evenly chosen.
+    """
+    rows, marked, chosen = np.asarray(rows, dtype=float), np.asarray(marked, bool), np.asarray(chosen, bool)
+    image = blank(width, height)
+    pen = painter(image)
+    letters = font(11)
+    pen.setFont(letters)
+    ink = palette.color(QtGui.QPalette.Text)
+    line = QtGui.QFontMetrics(letters).height()
+    low, high = rows.min(axis=0), rows.max(axis=0)
+    span = np.where(high > low, high - low, 1.0)
+    share = np.where(high > low, (rows - low) / span, 0.5)
+    edge = 34.0
+    x = np.linspace(edge, width - edge, len(names)) if len(names) > 1 else np.array([width / 2])
+    top, bottom = 2.4 * line + 4, height - 3.2 * line - 4
+    plain = np.flatnonzero(~(marked | chosen))
+    plain = (
+        plain[np.unique(np.linspace(0, len(plain) - 1, min(most, len(plain))).round().astype(int))]
+        if len(plain)
+        else plain
+    )
+
+    def draw(which, colour, alpha, thick):
+        shade = QtGui.QColor.fromRgbF(*colour)
+        shade.setAlpha(alpha)
+        pen.setPen(QtGui.QPen(shade, thick))
+        for row in which:
+            y = bottom - (bottom - top) * share[row]
+            pen.drawPolyline(QtGui.QPolygonF([QtCore.QPointF(a, b) for a, b in zip(x.tolist(), y.tolist())]))
+
+    draw(plain, AFTER, 70, 1.0)
+    draw(np.flatnonzero(marked & ~chosen), BEFORE, 220, 1.8)
+    draw(np.flatnonzero(chosen), FITTED, 255, 2.6)
+    gap = float(x[1] - x[0]) if len(x) > 1 else float(width)
+    for i, name in enumerate(names):
+        pen.setPen(QtGui.QPen(ink, 1))
+        pen.drawLine(QtCore.QPointF(x[i], top), QtCore.QPointF(x[i], bottom))
+        box = QtCore.QRectF(x[i] - gap / 2, top - line - 1, gap, line)
+        pen.drawText(box, Qt.AlignCenter, f"{high[i]:.4g}")
+        pen.drawText(box.translated(0, bottom - top + line + 2), Qt.AlignCenter, f"{low[i]:.4g}")
+        wide = min(1.9 * gap, width - 4.0)
+        left = min(max(x[i] - wide / 2, 2.0), width - wide - 2)
+        below = QtCore.QRectF(left, bottom + line * (1.15 + i % 2), wide, line)  # two lines, so that names have room
+        cut = QtGui.QFontMetrics(letters).elidedText(name, Qt.ElideLeft, int(wide))
+        pen.drawText(below, Qt.AlignCenter, cut)
+    at = 4.0
+    for word, colour, there in zip(legend, (AFTER, BEFORE, FITTED), (True, marked.any(), chosen.any())):
+        if there:
+            pen.fillRect(QtCore.QRectF(at, 5, 10, 10), QtGui.QColor.fromRgbF(*colour))
+            pen.setPen(ink)
+            pen.drawText(QtCore.QRectF(at + 14, 0, 200, line + 4), Qt.AlignLeft | Qt.AlignVCenter, word)
+            at += 26 + text_width(letters, word)
+    pen.end()
+    return image

@@ -212,7 +212,7 @@ def test_what_is_minimised_must_be_there(tmp_path):
 
 
 def test_chunks_grow_with_the_sweep_and_leave_work_for_all():
-    from sensworkbench.cli.verbs.sweep import chunk_of
+    from sensworkbench.formats.sweep_run import chunk_of
 
     assert chunk_of(100, 2) == 16 and chunk_of(10**6, 1000) == 125 and chunk_of(10**6, 4) == 1000
     for variants, workers in ((10**4, 2), (10**6, 1000)):

@@ -67,7 +67,7 @@ def test_each_variant_is_the_machine_that_the_document_then_holds(saved, tmp_pat
         from sensworkbench.document.tree import machine_of
 
         for row in rows:
-            sweeping._place(document, place)(float(row[place]))
+            sweeping.place(document, place)(float(row[place]))
             document.Sheet.set("B2", f"={row['Sheet.reach']} mm")
             document.recompute()
             alone = workspace.sensitivity(core_machine(machine_of(document)), estimate=False)
@@ -80,11 +80,11 @@ def test_a_cell_keeps_its_unit_and_what_follows_it_follows(saved):
     path, names = saved
     document = App.openDocument(str(path))
     try:
-        sweeping._place(document, "Sheet.reach")(25.0)
+        sweeping.place(document, "Sheet.reach")(25.0)
         document.recompute()
         assert document.Sheet.get("B2") == App.Units.Quantity("25 mm")
         assert float(document.getObject(names["part"]).Spare) == pytest.approx(26)
-        sweeping._place(document, "Sheet.B2")(3.0)
+        sweeping.place(document, "Sheet.B2")(3.0)
         document.recompute()
         assert float(document.getObject(names["part"]).Spare) == pytest.approx(4)
     finally:

@@ -118,6 +118,7 @@ COMMANDS = [
     "Sens_Limits",
     "Sens_Plan",
     "Sens_Correlated",
+    "Sens_Sweep",
 ]
 
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import csv
 import importlib
 import json
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -18,8 +16,6 @@ from .. import common, executors
 
 HELP = "one machine in many variants, in one table"
 FILES = "`results.csv`, `pareto.csv`, `report.html`"
-ROWS = "rows.json"
-LARGEST_CHUNK = 1000
 FEWEST, MOST = 16, 256  # variants that one FreeCAD judges before it ends
 
 
@@ -34,7 +30,7 @@ def add(parser) -> None:
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import study_files, sweep_files
+    from sensworkbench.formats import sweep_files, sweep_run
 
     executors.check_workers(arguments)
     sweep = sweep_files.load(arguments.spec)
@@ -45,42 +41,21 @@ def run(arguments) -> int:
     done = sweep_files.kept(folder, sweep) if arguments.resume else []
     with contextlib.ExitStack() as stack:
         judged = _rows(arguments, sweep, len(done), stack)
-        folder.mkdir(parents=True, exist_ok=True)
-        partial = folder / sweep_files.PARTIAL
-        refused = sum(1 for row in done if next(csv.reader([row]))[-1])
-        with partial.open("w", encoding="utf-8", newline="\n") as stream:
-            stream.write(f"# {sweep_files.identity(sweep)}\n" + "".join(done))
-            stream.flush()
-            for number, values, outputs, words in judged:
-                stream.write(sweep_files.line(sweep, number, values, outputs, words))
-                stream.flush()
-                refused += outputs is None
-    files = sweep_files.summary(sweep, partial, arguments.language)
-    extra = lambda work: sweep_files.write_results(sweep, partial, work / sweep_files.RESULTS)  # noqa: E731
-    paths = study_files.write_set(folder, "sweep", files, extra)
-    partial.unlink()
+        paths, refused = sweep_run.write(folder, sweep, done, judged, arguments.language)
     if refused:
         common.say(f"{refused} of {sweep.size()} variants were refused; the last column of the table says why")
     return common.say_paths(paths)
 
 
-def chunk_of(variants: int, workers: int) -> int:
-    """Variants that a worker gets at a time: few enough that all have work to the end, and many enough that handing
-    them out costs little (docs/sweeps.md)."""
-    from sensworkbench.studies.sweep import CHUNK
-
-    return max(CHUNK, min(LARGEST_CHUNK, variants // (8 * workers)))
-
-
 def _rows(arguments, sweep, start: int, stack: contextlib.ExitStack) -> Iterator:
     """The judged variants from number `start` on; what must be closed afterwards goes on `stack`."""
-    from sensworkbench.formats import sweep_files
-    from sensworkbench.studies.sweep import FileJudge, run_sweep
+    from sensworkbench.formats import sweep_run
+    from sensworkbench.studies.sweep import run_sweep
 
     if not sweep.document:
         executor, workers = stack.enter_context(executors.executor(arguments))
-        judge = FileJudge(sweep_files.machine_of, sweep.data, sweep.paths, sweep.outputs)
-        return run_sweep(sweep, judge, executor, workers, start, chunk=chunk_of(sweep.size() - start, workers))
+        chunk = sweep_run.chunk_of(sweep.size() - start, workers)
+        return run_sweep(sweep, _file_judge(sweep), executor, workers, start, chunk=chunk)
     if arguments.scheduler:
         raise Refused("sweep-document-cluster", "--scheduler")
     if common.in_freecad():
@@ -101,32 +76,36 @@ def _document_judge(sweep):
     return module.DocumentJudge(sweep.document, sweep.paths, sweep.outputs)
 
 
+def _file_judge(sweep):
+    from sensworkbench.formats import sweep_files
+    from sensworkbench.studies.sweep import FileJudge
+
+    return FileJudge(sweep_files.machine_of, sweep.data, sweep.paths, sweep.outputs)
+
+
 class _InFreeCAD:
-    """Judges variants of a document, each list of them in a FreeCAD process of its own."""
+    """Judges variants, each list of them in a FreeCAD process of its own; a process that fails ends the verb."""
 
     def __init__(self, spec: str):
-        self.spec = spec
+        module = importlib.import_module("sensworkbench.document.sweep_workers")
+        self.judge, self.ended = module.WorkerJudge(spec), module.WorkerEnded
 
     def __call__(self, rows) -> list:
-        handoff = importlib.import_module("sensworkbench.document.handoff")
-        with tempfile.TemporaryDirectory(prefix="sens-sweep-") as place:
-            asked, answered = Path(place, ROWS), Path(place, "out")
-            asked.write_text(json.dumps([list(row) for row in rows]), encoding="utf-8")
-            status = handoff.run(["sweep", self.spec, "--out", str(answered), "--rows", str(asked)])
-            if status == common.INTERRUPTED:
-                raise KeyboardInterrupt
-            if status != common.DONE or not answered.is_file():
-                raise SystemExit(status or common.DEFECT)
-            return [(found, words) for found, words in json.loads(answered.read_text(encoding="utf-8"))]
+        try:
+            return self.judge(rows)
+        except self.ended as ended:
+            if ended.status == common.INTERRUPTED:
+                raise KeyboardInterrupt from None
+            raise SystemExit(ended.status or common.DEFECT) from None
 
 
 def _judge_rows(sweep, asked: str, answered: str) -> int:
     """Judge the variants of the file `asked` inside FreeCAD and write what was found to `answered`."""
-    rows = json.loads(Path(asked).read_text(encoding="utf-8"))
-    judge = _document_judge(sweep)
-    try:
-        found = judge([tuple(map(float, row)) for row in rows])
-    finally:
-        judge.close()
+    rows = [tuple(map(float, row)) for row in json.loads(Path(asked).read_text(encoding="utf-8"))]
+    if sweep.document:
+        with contextlib.closing(_document_judge(sweep)) as judge:
+            found = judge(rows)
+    else:
+        found = _file_judge(sweep)(rows)
     Path(answered).write_text(json.dumps(found), encoding="utf-8")
     return common.DONE
