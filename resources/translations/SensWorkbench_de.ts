@@ -39,6 +39,11 @@
       <translation>Räumlicher Fehler der nicht angepassten Messwerte, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>3-D rms of readings that took no part in the fit: declared → with the effects</source>
+      <translation>Räumlicher Effektivwert der nicht angepassten Messwerte: angegeben → mit den Effekten</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.</source>
       <translation>95-%-Bereich des Effektivwerts zurückgehaltener Werte: {a} … {b} µm vorher, {c} … {d} µm nachher.</translation>
@@ -62,6 +67,11 @@
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>A FreeCAD process ended without an answer; the report view may say why.</source>
       <translation>Ein FreeCAD-Prozess endete ohne Antwort; die Ausgabeansicht nennt vielleicht den Grund.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>A fleet of machines</source>
+      <translation>Ein Maschinenpark</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -524,6 +534,11 @@
       <translation>Doppelklick: wieder versuchen. Entf: aus der Liste nehmen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Driven by</source>
+      <translation>Getrieben von</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Driver</source>
       <translation>Treiber</translation>
@@ -544,7 +559,7 @@
       <translation>Maschine bearbeiten</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Effect</source>
       <translation>Effekt</translation>
     </message>
@@ -552,6 +567,11 @@
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>Effekt ein oder aus</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Effects</source>
+      <translation>Effekte</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -582,6 +602,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Error that remains</source>
       <translation>Verbleibender Fehler</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Error, µm</source>
+      <translation>Abweichung, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -637,6 +662,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Factor</source>
       <translation>Faktor</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>False</source>
+      <translation>Falsch</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
@@ -732,6 +762,16 @@
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Folder for the variants</source>
       <translation>Ordner für die Varianten</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Folder of the fleet</source>
+      <translation>Ordner des Maschinenparks</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Folder…</source>
+      <translation>Ordner…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -847,6 +887,11 @@
       <location filename="../../sensworkbench/gui/task_part.py" />
       <source>Hides the machine while the panel is open</source>
       <translation>Blendet die Maschine aus, solange das Fenster offen ist</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Holds a folder for each machine, with machine.json and measured.csv</source>
+      <translation>Enthält einen Ordner je Maschine mit machine.json und measured.csv</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -1034,6 +1079,11 @@
       <translation>Maschine aus Auswahl</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Machines</source>
+      <translation>Maschinen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Magma (black to pale yellow)</source>
       <translation>Magma (schwarz bis blassgelb)</translation>
@@ -1057,6 +1107,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Median</source>
       <translation>Median</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Median, µm</source>
+      <translation>Median, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1379,7 +1434,7 @@
       <translation>Je Achse</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Picture</source>
       <translation>Bild</translation>
     </message>
@@ -1512,6 +1567,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Recolours while the axes move; off: the colours of the result stay</source>
       <translation>Färbt während des Verfahrens um; aus: die Farben des Ergebnisses bleiben</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Records</source>
+      <translation>Messungen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1722,6 +1782,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Share now</source>
       <translation>Anteil jetzt</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Share of false effects among those that stand (false discovery rate)</source>
+      <translation>Anteil falscher unter den geltenden Effekten (Falscherkennungsrate)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -2204,9 +2269,24 @@
       <translation>Ursache suchen</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Trace all</source>
+      <translation>Alle untersuchen</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Trace of {name}</source>
       <translation>Ursachensuche zu {name}</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Traces every record by the same rules: which effect recurs where.</source>
+      <translation>Untersucht jede Messung nach denselben Regeln: welcher Effekt wo wiederkehrt.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Tracing {n} records</source>
+      <translation>{n} Messungen werden untersucht</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2329,6 +2409,11 @@
       <translation>Variieren</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Verdict</source>
+      <translation>Urteil</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Viridis (purple to yellow)</source>
       <translation>Viridis (violett bis gelb)</translation>
@@ -2377,6 +2462,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>What makes it large</source>
       <translation>Was sie groß macht</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>What recurs</source>
+      <translation>Was wiederkehrt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2544,7 +2634,7 @@
       <translation>Schreibt trace.json, report.html und die ergänzte Maschine</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_study.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Writes what was found as a page, and as JSON and CSV</source>
       <translation>Schreibt das Ergebnis als Seite sowie als JSON und CSV</translation>
     </message>
@@ -2844,6 +2934,11 @@
       <translation>Last</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>no folder yet</source>
+      <translation>noch kein Ordner</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>no index</source>
       <translation>kein Index</translation>
@@ -2909,6 +3004,11 @@
       <translation>eine Stellung</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>p up to {limit} stands; every p comes from {count} exchanges.</source>
+      <translation>Es gilt p bis {limit}; jedes p beruht auf {count} Vertauschungen.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
       <source>parallelism</source>
       <translation>Parallelität</translation>
@@ -2957,6 +3057,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>readings</source>
       <translation>Messwerte</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>refused</source>
+      <translation>abgelehnt</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -3309,9 +3414,19 @@
       <translation>{n} Abweichungen eingelesen.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>{n} machines in {folder}</source>
+      <translation>{n} Maschinen in {folder}</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>{n} of them are there already</source>
       <translation>{n} davon sind schon vorhanden</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>{n} records, {refused} refused; an effect stands on {some} machines.</source>
+      <translation>{n} Messungen, {refused} abgelehnt; an {some} Maschinen gilt ein Effekt.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -3533,6 +3648,19 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
       <translation>Passt die angesetzten Fehler an die Messwerte an: was sie erklären und was der Plan nicht unterscheidet</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Fleet</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Fleet…</source>
+      <translation>Maschinenpark…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Traces the records of many machines: which effect recurs on which machine</source>
+      <translation>Untersucht die Messungen vieler Maschinen: welcher Effekt an welcher Maschine wiederkehrt</translation>
     </message>
   </context>
   <context>

@@ -39,6 +39,11 @@
       <translation>피팅에 쓰지 않은 측정값의 3차원 오차, µm</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>3-D rms of readings that took no part in the fit: declared → with the effects</source>
+      <translation>맞춤에 쓰이지 않은 측정값의 3차원 rms: 선언 → 효과 포함</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>95 % interval of the held-out rms: {a} … {b} µm before, {c} … {d} µm after.</source>
       <translation>남겨 둔 측정값 rms의 95 % 구간: 전 {a} … {b} µm, 후 {c} … {d} µm.</translation>
@@ -62,6 +67,11 @@
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>A FreeCAD process ended without an answer; the report view may say why.</source>
       <translation>FreeCAD 프로세스가 응답 없이 끝났습니다. 보고서 보기에 이유가 있을 수 있습니다.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>A fleet of machines</source>
+      <translation>기계군</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -524,6 +534,11 @@
       <translation>두 번 클릭: 다시 시도. Delete: 목록에서 제거</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Driven by</source>
+      <translation>구동원</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Driver</source>
       <translation>구동 변수</translation>
@@ -544,7 +559,7 @@
       <translation>기계 편집</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/trace_pages.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Effect</source>
       <translation>효과</translation>
     </message>
@@ -552,6 +567,11 @@
       <location filename="../../sensworkbench/gui/task_effect.py" />
       <source>Effect on or off</source>
       <translation>효과 켜기/끄기</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Effects</source>
+      <translation>효과</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
@@ -582,6 +602,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>Error that remains</source>
       <translation>남는 오차</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Error, µm</source>
+      <translation>오차, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review.py" />
@@ -637,6 +662,11 @@
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>Factor</source>
       <translation>계수</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>False</source>
+      <translation>거짓</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
@@ -732,6 +762,16 @@
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>Folder for the variants</source>
       <translation>변형 폴더</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Folder of the fleet</source>
+      <translation>기계군 폴더</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Folder…</source>
+      <translation>폴더…</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_tables.py" />
@@ -847,6 +887,11 @@
       <location filename="../../sensworkbench/gui/task_part.py" />
       <source>Hides the machine while the panel is open</source>
       <translation>패널이 열려 있는 동안 기계를 숨깁니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Holds a folder for each machine, with machine.json and measured.csv</source>
+      <translation>기계마다 machine.json과 measured.csv가 든 폴더를 담고 있음</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_jog.py" />
@@ -1034,6 +1079,11 @@
       <translation>선택에서 기계 만들기</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Machines</source>
+      <translation>기계</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Magma (black to pale yellow)</source>
       <translation>Magma (검정에서 옅은 노랑)</translation>
@@ -1057,6 +1107,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>Median</source>
       <translation>중앙값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Median, µm</source>
+      <translation>중앙값, µm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_repair.py" />
@@ -1379,7 +1434,7 @@
       <translation>축당</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_sweep.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Picture</source>
       <translation>그림</translation>
     </message>
@@ -1512,6 +1567,11 @@
       <location filename="../../sensworkbench/gui/task_jog.py" />
       <source>Recolours while the axes move; off: the colours of the result stay</source>
       <translation>축이 움직이는 동안 다시 채색; 끄면 결과의 색상이 유지됩니다</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Records</source>
+      <translation>기록</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -1722,6 +1782,11 @@
       <location filename="../../sensworkbench/gui/whatif.py" />
       <source>Share now</source>
       <translation>현재 몫</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Share of false effects among those that stand (false discovery rate)</source>
+      <translation>인정된 효과 중 거짓의 비율(거짓 발견율)</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/display.py" />
@@ -2204,9 +2269,24 @@
       <translation>추적</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Trace all</source>
+      <translation>모두 추적</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Trace of {name}</source>
       <translation>{name} 추적</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Traces every record by the same rules: which effect recurs where.</source>
+      <translation>모든 기록을 같은 규칙으로 추적합니다: 어느 효과가 어디에서 되풀이되는지.</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Tracing {n} records</source>
+      <translation>기록 {n}개를 추적하는 중</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
@@ -2329,6 +2409,11 @@
       <translation>변경 대상</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Verdict</source>
+      <translation>판정</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/preferences.py" />
       <source>Viridis (purple to yellow)</source>
       <translation>Viridis (보라에서 노랑)</translation>
@@ -2377,6 +2462,11 @@
       <location filename="../../sensworkbench/gui/task_limits.py" />
       <source>What makes it large</source>
       <translation>크게 하는 것</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>What recurs</source>
+      <translation>되풀이되는 것</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -2544,7 +2634,7 @@
       <translation>trace.json, report.html과 확장된 기계를 저장합니다</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_study.py" />
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
       <source>Writes what was found as a page, and as JSON and CSV</source>
       <translation>결과를 문서 페이지와 JSON, CSV로 기록합니다</translation>
     </message>
@@ -2844,6 +2934,11 @@
       <translation>하중</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>no folder yet</source>
+      <translation>아직 폴더 없음</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/display.py" />
       <source>no index</source>
       <translation>지수 없음</translation>
@@ -2909,6 +3004,11 @@
       <translation>한 위치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>p up to {limit} stands; every p comes from {count} exchanges.</source>
+      <translation>p가 {limit} 이하면 인정되며, 모든 p는 교환 {count}번에서 나옵니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_part.py" />
       <source>parallelism</source>
       <translation>평행도</translation>
@@ -2957,6 +3057,11 @@
       <location filename="../../sensworkbench/gui/trace_pages.py" />
       <source>readings</source>
       <translation>측정값</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>refused</source>
+      <translation>거부됨</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/trace_pages.py" />
@@ -3309,9 +3414,19 @@
       <translation>오차 {n}개를 읽었습니다.</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>{n} machines in {folder}</source>
+      <translation>{folder}의 기계 {n}대</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_sweep.py" />
       <source>{n} of them are there already</source>
       <translation>그중 {n}개는 이미 있음</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>{n} records, {refused} refused; an effect stands on {some} machines.</source>
+      <translation>기록 {n}개, 거부 {refused}개; 기계 {some}대에서 효과가 인정됩니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/copying.py" />
@@ -3533,6 +3648,19 @@
       <location filename="../../sensworkbench/gui/task_trace.py" />
       <source>Fits the declared errors to the readings: what they explain, and what the plan cannot tell apart</source>
       <translation>선언된 오차를 측정값에 피팅하여 설명되는 것과 구별할 수 없는 것을 보입니다</translation>
+    </message>
+  </context>
+  <context>
+    <name>Sens_Fleet</name>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Fleet…</source>
+      <translation>기계군…</translation>
+    </message>
+    <message>
+      <location filename="../../sensworkbench/gui/task_fleet.py" />
+      <source>Traces the records of many machines: which effect recurs on which machine</source>
+      <translation>여러 기계의 측정 기록을 추적합니다: 어느 효과가 어느 기계에서 되풀이되는지</translation>
     </message>
   </context>
   <context>

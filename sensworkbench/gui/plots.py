@@ -222,3 +222,55 @@ def parallel(width: int, height: int, names, rows, marked, chosen, legend, palet
             at += 26 + text_width(letters, word)
     pen.end()
     return image
+
+
+def dots_table(width: int, height: int, rows, columns, sizes, marked, unit: str, palette):
+    """Which row has which column: a dot whose area is the size, with the number beside it; a QImage.
+
+    rows, columns : names.  sizes : (rows, columns), None where there is nothing.  marked : (columns) drawn in a second
+    colour.  unit : of the sizes.  Rows that have no room are counted in the last line.
+    """
+    image = blank(width, height)
+    pen = painter(image)
+    letters = font(11)
+    pen.setFont(letters)
+    ink = palette.color(QtGui.QPalette.Text)
+    metrics = QtGui.QFontMetrics(letters)
+    line = metrics.height()
+    left = min(0.35 * width, max([text_width(letters, r) for r in rows], default=0) + 10.0)
+    gap = (width - left) / max(1, len(columns))
+    top = line * (2.3 if len(columns) > 2 else 1.3) + 6
+    step = max(line + 4.0, min(34.0, (height - top - 4) / max(1, len(rows))))
+    room = int((height - top) // step)
+    shown = rows if len(rows) <= room else rows[: max(1, room - 1)]
+    largest = max((v for row in sizes for v in row if v is not None), default=1.0)
+    faint = QtGui.QColor(ink)
+    faint.setAlpha(40)
+    pen.setPen(ink)
+    for j, name in enumerate(columns):
+        wide = gap * (1.9 if len(columns) > 2 else 1.0)
+        at = min(max(left + gap * (j + 0.5) - wide / 2, left - 20), width - wide)
+        box = QtCore.QRectF(at, 3 + line * (j % 2 if len(columns) > 2 else 0), wide, line)
+        pen.drawText(box, Qt.AlignCenter, metrics.elidedText(name, Qt.ElideRight, int(wide)))
+    for i, name in enumerate(shown):
+        y = top + step * (i + 0.5)
+        pen.setPen(QtGui.QPen(faint, 1))
+        pen.drawLine(QtCore.QPointF(left, y), QtCore.QPointF(width, y))
+        pen.setPen(ink)
+        cut = metrics.elidedText(name, Qt.ElideMiddle, int(left) - 8)
+        pen.drawText(QtCore.QRectF(2, y - line / 2, left - 8, line), Qt.AlignLeft | Qt.AlignVCenter, cut)
+        for j, size in enumerate(sizes[i]):
+            if size is None:
+                continue
+            radius = max(2.5, 0.42 * min(step, gap / 2) * np.sqrt(size / largest))
+            x = left + gap * (j + 0.3)
+            pen.setPen(Qt.NoPen)
+            pen.setBrush(QtGui.QColor.fromRgbF(*(FITTED if marked[j] else AFTER)))
+            pen.drawEllipse(QtCore.QPointF(x, y), radius, radius)
+            pen.setPen(ink)
+            box = QtCore.QRectF(x + radius + 4, y - line / 2, gap, line)
+            pen.drawText(box, Qt.AlignLeft | Qt.AlignVCenter, f"{size:.2g} {unit}" if gap > 70 else f"{size:.2g}")
+    if len(shown) < len(rows):
+        pen.drawText(QtCore.QRectF(2, height - line - 2, width, line), Qt.AlignLeft, f"… + {len(rows) - len(shown)}")
+    pen.end()
+    return image

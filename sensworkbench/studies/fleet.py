@@ -23,6 +23,7 @@ from ..messages import Message
 from .trace import FEWEST, MOST, TraceRequest, trace_study
 
 Read = Callable[[str], tuple[Machine, Readings]]
+Progress = Callable[[float], bool]
 RATE = 0.05
 
 
@@ -95,11 +96,14 @@ def permutations_for(count: int, rate: float = RATE) -> int:
     return min(MOST, max(FEWEST, math.ceil(count / rate) - 1))
 
 
-def judge_member(read: Read, name: str, seed: int, permutations: int) -> Member:
-    """Trace one record.  A plain function of plain data, for any worker; what is refused is said in the result."""
+def judge_member(read: Read, name: str, seed: int, permutations: int, progress: Progress | None = None) -> Member:
+    """Trace one record.  A plain function of plain data, for any worker; what is refused is said in the result.
+
+    progress : called with the part of this record that is done; a false answer cancels.
+    """
     try:
         machine, readings = read(name)
-        found = trace_study(machine, readings, TraceRequest(seed, permutations))
+        found = trace_study(machine, readings, TraceRequest(seed, permutations), progress)
     except Refused as refused:
         return Member(name, refused=refused.message)
     return _member(name, found)
@@ -128,7 +132,7 @@ def fleet_study(
     rate: float = RATE,
     seed: int = 0,
     permutations: int | None = None,
-    progress: Callable[[float], bool] | None = None,
+    progress: Progress | None = None,
 ) -> FleetResult:
     """Trace every record and hold the names at the false discovery rate.
 
@@ -142,7 +146,7 @@ def fleet_study(
         raise Refused("fleet-rate", "--rate", rate=rate)
     count = permutations_for(len(names), rate) if permutations is None else permutations
     members = []
-    for member in _judged(names, read, executor, seed, count):
+    for member in _judged(names, read, executor, seed, count, progress):
         members.append(member)
         if progress is not None and not progress(len(members) / len(names)):
             raise Cancelled("cancelled")
@@ -151,16 +155,19 @@ def fleet_study(
     return FleetResult(held, recurring(held), rate, limit, count, seed)
 
 
-def _judged(names, read, executor, seed, count) -> Iterator[Member]:
+def _judged(names, read, executor, seed, count, progress) -> Iterator[Member]:
+    def inside(k: int) -> Progress | None:
+        return None if progress is None else lambda part, *words: progress((k + min(part, 0.99)) / len(names))
+
     work = [None] * len(names) if executor is None else [_submit(executor, read, n, seed, count) for n in names]
-    for name, waiting in zip(names, work):
+    for k, (name, waiting) in enumerate(zip(names, work)):
         member = None
         if waiting is not None:
             try:
                 member = waiting.result()
             except Exception:  # noqa: BLE001 - a worker was lost, whatever its library calls that
                 member = None
-        yield judge_member(read, name, seed, count) if member is None else member
+        yield judge_member(read, name, seed, count, inside(k)) if member is None else member
 
 
 def _submit(executor: Executor, read: Read, name: str, seed: int, count: int):

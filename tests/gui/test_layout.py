@@ -119,6 +119,7 @@ COMMANDS = [
     "Sens_Plan",
     "Sens_Correlated",
     "Sens_Sweep",
+    "Sens_Fleet",
 ]
 
 

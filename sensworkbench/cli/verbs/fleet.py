@@ -48,8 +48,11 @@ class _Told:
     """Says how many records are done, one line each."""
 
     def __init__(self, count: int):
-        self.count = count
+        self.count, self.said = count, 0
 
     def __call__(self, part: float) -> bool:
-        common.say(f"{round(part * self.count)} of {self.count} records")
+        done = int(part * self.count + 1e-9)
+        if done > self.said:
+            self.said = done
+            common.say(f"{done} of {self.count} records")
         return True
