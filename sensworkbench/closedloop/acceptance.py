@@ -39,7 +39,8 @@ def judge(state: State, others, best: ScoredTerm) -> Step:
     grams, base, mine = state.grams(full, others, [best], within=True)
     held = _held_out(grams, base, base + mine[0])
     p, runs = evidence.p_value(tail, null), None
-    if full.dof < state.settings.crowded * full.basis.rank:
+    doubtful = p <= state.settings.doubtful and tail < state.settings.doubtless * float(null.max())
+    if doubtful or full.dof < state.settings.crowded * full.basis.rank:
         p = max(p, _p_without(state, others, found))
     if p < state.settings.alpha:
         runs = between_runs(state, others, found)
@@ -70,8 +71,8 @@ def _held_out(grams, base, with_it) -> tuple[float, float]:
 def _p_without(state: State, others, best: ScoredTerm) -> float:
     """Family-wise p where data and null have the noise, weights and outliers of the fit without `best`.
 
-    With few readings to a parameter, the best of thousands of candidates takes much of the noise along, in the
-    direction of sensing that it fits above all; weights that are estimated with it then look better than they are.
+    Weights and outliers of a fit that holds the best of thousands of candidates look better for it than they are: what
+    disagrees with it counts less.  With few readings to a parameter it takes much of the noise along, too.
     """
     without = state.fit_with(others)
     rows = state.rows(without)

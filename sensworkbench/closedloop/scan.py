@@ -121,10 +121,15 @@ class Rows:
         return out
 
     def flipped(self, signs) -> np.ndarray:
-        """(B, R) residuals with their signs turned, projected, and as large as before the projection took its share."""
-        turned = signs * self.residual
+        """(B, R) residuals with their signs turned, projected.
+
+        Each is enlarged first by what the model took from its variance, its leverage (wild bootstrap: Davidson
+        and Flachaire 2008): else a candidate that rests on rows of high leverage has a null that is too small.
+        """
+        left = np.maximum(1.0 - (self.ortho**2).sum(axis=1), self.settings.least_free)
+        turned = signs * (self.residual / np.sqrt(left))
         turned -= (turned @ self.ortho) @ self.ortho.T
-        return turned * np.sqrt(self.used / max(self.used - self.ortho.shape[1], 1))
+        return turned
 
     def thinned(self, points) -> Rows:
         """The rows of some points (sorted indices) alone, with a basis and residuals of their own: those of all rows

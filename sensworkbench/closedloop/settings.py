@@ -118,6 +118,8 @@ class TraceSettings:
     memory_negligible: float = _setting(0.02, "correlation", "that changes no uncertainty by more than 2 %")
     other_weight: float = _setting(0.005, SHARE, "of another name, below which it changes no uncertainty")
     crowded: float = _setting(2.0, "per parameter", "degrees of freedom below which a candidate takes noise along")
+    doubtful: float = _setting(0.2, PROBABILITY, "of chance, below which weights come from the fit without it, too")
+    doubtless: float = _setting(2.0, RATIO, "to the largest of the null, from which no choice of weights matters")
     differenced: float = _setting(0.9999, "correlation", "at which rows are all but the steps from reading to reading")
     nearly: float = _setting(0.99, SHARE, "of the gain of a term: what explains so much explains all but the same")
     differencing: float = _setting(0.9, "correlation", "of successive residuals up to which they are always whitened")

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from benchmarks.study_designs import null
 from sensworkbench.closedloop import evidence
 from sensworkbench.closedloop.bank import bank, log_tail
 from sensworkbench.closedloop.design import ALL_SYMBOLS
@@ -189,6 +190,34 @@ def test_the_family_wise_p_is_uniform_where_there_is_nothing(plain):
     assert min(p) >= 0.01  # never below one in a hundred with 99 flips
 
 
+def test_flipped_residuals_vary_as_the_noise_where_the_leverage_is_high(plain):
+    """Of a candidate that rests on some rows of high leverage the null is as wide as what noise gives it."""
+    _, rows, _ = plain
+    rng = np.random.default_rng(8)
+    count = len(rows.residual)
+    far = np.arange(count) < 80
+    model, _ = np.linalg.qr(rng.normal(size=(count, 40)) * np.where(far, 10.0, 1.0)[:, None])
+    candidate = np.where(far, rng.normal(size=count), 0.0)
+    candidate -= model @ (model.T @ candidate)
+    candidate /= np.linalg.norm(candidate)
+    assert candidate**2 @ (model**2).sum(axis=1) > 0.4  # beside .09 of a mean row
+    widths = []
+    for _ in range(300):
+        noise = rng.normal(size=count)
+        noise -= model @ (model.T @ noise)
+        signs = rng.choice([-1.0, 1.0], size=(20, count))
+        widths.append(np.mean((Rows(rows.lever, noise, rows.start, model).flipped(signs) @ candidate) ** 2))
+    assert np.mean(widths) == pytest.approx(1.0, abs=0.06)
+
+
+@pytest.mark.parametrize(("design", "seed"), [("outliers", 300007), ("radius", 310023), ("heavy", 310029)])
+def test_a_fit_that_holds_a_candidate_gives_no_weights_that_prove_it(design, seed):
+    """What disagrees with the best of thousands of candidates counts less beside it: these three had a name once."""
+    case = null(design, seed)
+    found = trace(case.machine, case.readings, seed=seed)
+    assert found.verdict == "nothing_to_explain" and not found.effects
+
+
 @pytest.mark.parametrize("seed", range(3))
 def test_few_readings_of_noise_hold_nothing(seed):
     """35 places for 57 parameters: the best of thousands of candidates takes half of the noise along."""
@@ -209,8 +238,8 @@ def test_an_effect_that_is_there_is_beyond_every_flip(plain):
     effect = column - rows.ortho @ (rows.ortho.T @ column)
     planted = noise + effect * 10.0 / np.linalg.norm(effect)  # chi-square of about 100
     with_ = Scanner(Rows(rows.lever, planted, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns)
-    null = Scanner(Rows(rows.lever, noise, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns)
-    assert evidence.p_value(float(with_.scores().tail.max()), null.null_maxima(tracer.signs)) == 0.01
+    without = Scanner(Rows(rows.lever, noise, rows.start, rows.ortho), shapes, columns=tracer.problem.readings.columns)
+    assert evidence.p_value(float(with_.scores().tail.max()), without.null_maxima(tracer.signs)) == 0.01
 
 
 def test_the_null_maxima_are_the_maxima_of_scores_under_flipped_residuals(plain):
