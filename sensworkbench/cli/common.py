@@ -115,6 +115,21 @@ def add_machine(parser, name: str = "machine", metavar: str = "MACHINE", help: s
     parser.set_defaults(documents=(*(parser.get_default("documents") or ()), name))
 
 
+def add_out(parser) -> None:
+    """Add --out, the folder for the results; `write_study` writes them."""
+    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+
+
+def write_study(arguments, verb: str, files, said: str = "") -> int:
+    """Write name -> text of a study's files to --out as one set; say `said` and their paths; returns DONE."""
+    from sensworkbench.formats import study_files
+
+    paths = study_files.write_set(arguments.out, verb, files)
+    if said:
+        say(said)
+    return say_paths(paths)
+
+
 def add_mapping(parser) -> None:
     """Add --mapping; `mapping(arguments)` reads it."""
     parser.add_argument("--mapping", metavar="FILE", help="JSON that maps foreign column names")

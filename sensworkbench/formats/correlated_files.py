@@ -7,20 +7,15 @@ of the matrix, in products of um and urad.
 
 from __future__ import annotations
 
-import csv
-import datetime
-import io
-
 import numpy as np
 
-from sensworkbench import __version__
 from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.shapley import checked_covariance
 from sensworkbench.core.units import um
 from sensworkbench.studies.correlated import CorrelatedResult, Share
 
-from . import csv_table, html, json_text
+from . import csv_table, html, json_text, study_pages
 from .files import neutral
 from .words import Words
 
@@ -56,9 +51,7 @@ def load(path, machine: Machine) -> tuple[tuple[str, ...], np.ndarray]:
 def to_dict(result: CorrelatedResult) -> dict:
     """correlated.json as plain data."""
     return {
-        "format": FORMAT,
-        "version": VERSION,
-        "machine": {"name": result.machine.name, "structure": result.machine.structure},
+        **study_pages.head(FORMAT, VERSION, result.machine),
         "inputs": "fit" if result.of_fit else "tolerances",
         "mean_square_um2": um(um(result.mean_square)),
         "variance_um4": um(um(um(um(result.variance)))),
@@ -74,13 +67,18 @@ def _shares(share: Share) -> dict:
 
 def shares_csv(result: CorrelatedResult) -> str:
     """Share of every component, block and error."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(["kind", "name", "share", "first", "total"])
-    for kind, rows in (("component", result.components), ("error", result.errors)):
-        writer.writerows([kind, neutral(s.name), *(f"{v:.9g}" for v in (s.share, s.first, s.total))] for s in rows)
-    writer.writerows(["block", neutral(" ".join(names)), f"{share:.9g}", "", ""] for names, share in result.blocks)
-    return stream.getvalue()
+    kinds = (("component", result.components), ("error", result.errors))
+    rows = [
+        (kind, neutral(s.name), *(f"{v:.9g}" for v in (s.share, s.first, s.total)))
+        for kind, found in kinds
+        for s in found
+    ]
+    rows += [("block", neutral(" ".join(names)), f"{share:.9g}", "", "") for names, share in result.blocks]
+    return study_pages.table(["kind", "name", "share", "first", "total"], rows)
+
+
+def _numbers(share: Share) -> list[str]:
+    return [f"{v:.9g}" for v in (share.share, share.first, share.total)]
 
 
 def report(result: CorrelatedResult, language: str = "en") -> str:
@@ -121,12 +119,11 @@ def report(result: CorrelatedResult, language: str = "en") -> str:
         parts.append(
             html.section(words("correlated-errors"), html.table([words("column-error"), share, "#S", "#Sᵀ"], rows))
         )
-    return html.page(
+    return study_pages.page(
+        words,
         words("correlated-title", machine=machine.name),
         words("correlated-subtitle"),
         *parts,
-        footer=words("report-footer", version=__version__, date=datetime.date.today().isoformat()),
-        language=language,
     )
 
 

@@ -3,14 +3,9 @@
 
 from __future__ import annotations
 
-import csv
-import datetime
-import io
-
-from sensworkbench import __version__
 from sensworkbench.studies.limits import LimitsResult
 
-from . import html, json_text
+from . import html, json_text, study_pages
 from .files import neutral
 from .words import Words, position_text
 
@@ -21,9 +16,7 @@ def to_dict(result: LimitsResult) -> dict:
     """limits.json as plain data; um, places in mm and deg."""
     machine = result.machine
     return {
-        "format": FORMAT,
-        "version": VERSION,
-        "machine": {"name": machine.name, "structure": machine.structure},
+        **study_pages.head(FORMAT, VERSION, machine),
         "level": result.level,
         "method": "computed" if result.computed else "sampled",
         "quantile_um": result.quantile,
@@ -42,12 +35,9 @@ def _at(result: LimitsResult) -> list[float]:
 
 def contributions_csv(result: LimitsResult) -> str:
     """Contribution of every error and component to the quantile."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(["kind", "name", "contribution"])
-    for kind, rows in (("component", result.components), ("error", result.errors)):
-        writer.writerows([kind, neutral(c.name), f"{c.value:.9g}"] for c in rows)
-    return stream.getvalue()
+    kinds = (("component", result.components), ("error", result.errors))
+    rows = [(kind, neutral(c.name), f"{c.value:.9g}") for kind, found in kinds for c in found]
+    return study_pages.table(["kind", "name", "contribution"], rows)
 
 
 def report(result: LimitsResult, language: str = "en") -> str:
@@ -94,12 +84,11 @@ def report(result: LimitsResult, language: str = "en") -> str:
         heads = [words("limits-figure"), f"#{words('limits-median')}", f"#{level} %"]
         explained = html.paragraph(words("limits-figures-words"), soft=True)
         parts.append(html.section(words("limits-figures"), explained, html.table(heads, rows)))
-    return html.page(
+    return study_pages.page(
+        words,
         words("limits-title", machine=machine.name),
         words("limits-subtitle", level=level),
         *parts,
-        footer=words("report-footer", version=__version__, date=datetime.date.today().isoformat()),
-        language=language,
     )
 
 

@@ -3,11 +3,6 @@
 
 from __future__ import annotations
 
-import csv
-import datetime
-import io
-
-from sensworkbench import __version__
 from sensworkbench.core.units import um
 from sensworkbench.studies.moves import (
     SPINDLE,
@@ -22,7 +17,7 @@ from sensworkbench.studies.moves import (
     um2,
 )
 
-from . import html, json_text
+from . import html, json_text, study_pages
 from .words import Words
 
 FORMAT, VERSION = "sens-moves", 1
@@ -36,9 +31,7 @@ def to_dict(result: MovesResult) -> dict:
     if result.step is not None:
         step = {"symbol": result.step.symbol, "cost_per_um2": per_um2(result.step.price)}
     return {
-        "format": FORMAT,
-        "version": VERSION,
-        "machine": {"name": machine.name, "structure": machine.structure},
+        **study_pages.head(FORMAT, VERSION, machine),
         "mean_square_um2": um2(result.mean_square),
         "rms_um": um(result.mean_square**0.5),
         "within_mm": result.within[0] if len(set(result.within)) == 1 else list(result.within),
@@ -95,15 +88,13 @@ COLUMNS = ("point", "axis", "mean_square_um2_per_mm", "percent_per_mm", "best_mo
 
 def moves_csv(result: MovesResult) -> str:
     """One line per point and direction."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(COLUMNS)
+    rows = []
     for p in result.points:
         for i, axis in enumerate("xyz"):
             worth = "" if p.worth is None else f"{p.worth[i]:.6g}"
             cells = [um2(p.changes[i].mean_square), per_mm_percent(result, p.changes[i]), p.best[i]]
-            writer.writerow([p.name, axis, *(f"{v:.9g}" for v in cells), worth])
-    return stream.getvalue()
+            rows.append((p.name, axis, *(f"{v:.9g}" for v in cells), worth))
+    return study_pages.table(COLUMNS, rows)
 
 
 def report(result: MovesResult, language: str = "en") -> str:
@@ -164,12 +155,11 @@ def report(result: MovesResult, language: str = "en") -> str:
         heads = [words("moves-structure"), f"#{words('column-rms')}", f"#{words('moves-change')}"]
         explained = html.paragraph(words("moves-orders-words", count=len(result.orders)), soft=True)
         parts.append(html.section(words("moves-orders"), explained, html.table(heads, shown)))
-    return html.page(
+    return study_pages.page(
+        words,
         words("moves-title", machine=machine.name),
         words("moves-subtitle"),
         *parts,
-        footer=words("report-footer", version=__version__, date=datetime.date.today().isoformat()),
-        language=language,
     )
 
 

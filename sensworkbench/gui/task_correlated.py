@@ -8,13 +8,14 @@ file, or is that of the machine's fit: its shares say which further measurement 
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 
 from ..core.distributions import DISTRIBUTIONS, Tolerance
 from ..core.refusal import Refused
 from ..core.sources import Source
 from ..core.units import parse
-from ..document import refresh, sources, tree
+from ..document import closed_loop, refresh, sources, tree
 from ..formats import correlated_files
 from ..studies.correlated import correlated_study
 from . import display, messages, pointers
@@ -307,8 +308,18 @@ class TaskCorrelated(StudyPanel):
         self._say_given()
         self.forget()
 
+    def fitted(self):
+        """The fitted errors of the machine, or of its newest trace, whose covariance is known; None without."""
+        found = [self.core.fitted]
+        for trace in reversed(tree.traces_of(self.machine)):
+            try:
+                found.append(None if trace.Stale else closed_loop.augmented(trace).fitted)
+            except Refused:  # a damaged trace
+                continue
+        return next((f for f in found if f is not None and f.uncertainty is not None), None)
+
     def _has_fit(self) -> bool:
-        return self.core.fitted is not None and self.core.fitted.uncertainty is not None
+        return self.fitted() is not None
 
     def _say_given(self) -> None:
         if self.path:
@@ -325,7 +336,10 @@ class TaskCorrelated(StudyPanel):
         return {"covariance": self.path, "fit": "" if self.path else self._fit_key()}
 
     def _fit_key(self) -> str:
-        return hashlib.sha256(self.machine.Fitted.encode()).hexdigest()
+        """What tells one fit from another."""
+        fitted = self.fitted()
+        known = None if fitted is None else fitted.uncertainty.matrix()
+        return "none" if known is None else hashlib.sha256(known.tobytes()).hexdigest()
 
     def outdated(self, settings: dict) -> bool:
         return bool(settings.get("fit")) and settings["fit"] != self._fit_key()
@@ -347,6 +361,8 @@ class TaskCorrelated(StudyPanel):
 
     def work(self):
         core, given = self.core, self.covariance
+        if given is None:
+            core = replace(core, fitted=self.fitted())
         return (lambda progress: correlated_study(core, given, progress)), translate("Sens", "Shares of the components")
 
     def plain(self, found) -> dict:

@@ -8,8 +8,9 @@ from pathlib import Path
 import FreeCADGui as Gui
 import pytest
 
-from sensworkbench.document import extract, studies, tables, tree
-from sensworkbench.formats import correlated_files
+from sensworkbench.core.fitted import DECLARED, Constant, FittedModel, uncertainty_of
+from sensworkbench.document import base, extract, studies, tables, tree
+from sensworkbench.formats import correlated_files, fitted_json
 from sensworkbench.gui import messages as window
 from sensworkbench.gui import review, task_correlated
 from sensworkbench.gui.files import RESOURCES
@@ -127,3 +128,31 @@ def test_a_matrix_that_is_no_covariance_is_refused_with_a_remedy(panel, tmp_path
     panel.load_covariance(path)
     assert "contradict" in messages()[0] and panel.covariance is None and panel.path == ""
     close_messages()
+
+
+def test_the_covariance_of_a_fit_says_what_to_measure_next(machine, machine_doc):
+    known = uncertainty_of([(DECLARED, "C0Y", 1), (DECLARED, "A0Z", 1)], [[1e-6, 0.0], [2e-6, 3e-6]])
+    fitted = FittedModel(constants={"C0Y": Constant(1e-5), "A0Z": Constant(-2e-5)}, uncertainty=known)
+    machine_doc.openTransaction("fit")
+    base.put(machine, "Fitted", fitted_json.dumps(fitted))
+    machine.touch()
+    machine_doc.recompute()
+    machine_doc.commitTransaction()
+    made = task_correlated.open_panel(machine)
+    made.tabs.setCurrentIndex(1)
+    assert "fit" in made.given.text() and made.compute()
+    study = correlated_study(extract.core_machine(machine))
+    assert made.data == correlated_files.to_dict(study) and study.of_fit
+    first = made.data["components"][0]
+    assert first["body"] == "Z" and f"Measure Axis Z further: it holds {100 * first['share']:.0f} %" in (
+        made.summary.text()
+    )
+    made.close()
+    wider = uncertainty_of([(DECLARED, "C0Y", 1)], [[9e-6]])
+    base.put(machine, "Fitted", fitted_json.dumps(FittedModel(constants=fitted.constants, uncertainty=wider)))
+    machine.touch()
+    machine_doc.recompute()
+    made = task_correlated.open_panel(machine)
+    made.tabs.setCurrentIndex(1)
+    assert made.outdated(studies.read(studies.study_of(machine, "correlated"))[0])
+    made.close()

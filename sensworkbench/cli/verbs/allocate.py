@@ -19,7 +19,7 @@ def add(parser) -> None:
     parser.add_argument("--target", metavar="KIND=VALUE", required=True, help=text)
     text = "what each tolerance costs; `catalogue`: grades of guides, screws and scales; may be given more than once"
     parser.add_argument("--costs", metavar="COSTS.csv", required=True, action="append", help=text)
-    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    common.add_out(parser)
     common.add_language(parser)
 
 
@@ -39,7 +39,7 @@ def _target(text: str):
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import allocation_json, costs_csv, study_files
+    from sensworkbench.formats import allocation_json, costs_csv
     from sensworkbench.studies.allocation import allocation_study
 
     target = _target(arguments.target)
@@ -49,5 +49,4 @@ def run(arguments) -> int:
         common.say("the catalogue has no prices: its costs count from the present tolerances, 1 each, and are no money")
     common.keep_inputs(Path(arguments.out) / "machine.json", arguments.machine)
     result = allocation_study(machine, target, costs)
-    paths = study_files.write_set(arguments.out, "allocate", allocation_json.files(result, arguments.language))
-    return common.say_paths(paths)
+    return common.write_study(arguments, "allocate", allocation_json.files(result, arguments.language))

@@ -11,18 +11,17 @@ FILES = "`correlated.json`, `correlated.csv`, `report.html`"
 
 def add(parser) -> None:
     common.add_machine(parser)
-    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    common.add_out(parser)
     text = "covariance of errors, um and urad (default: that of the fit in the machine's file)"
     parser.add_argument("--covariance", metavar="FILE.csv", help=text)
     common.add_language(parser)
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import correlated_files, study_files
+    from sensworkbench.formats import correlated_files
     from sensworkbench.studies.correlated import correlated_study
 
     machine = common.load_machine(arguments.machine)
     given = correlated_files.load(arguments.covariance, machine) if arguments.covariance else None
     result = correlated_study(machine, given)
-    files = correlated_files.files(result, arguments.language)
-    return common.say_paths(study_files.write_set(arguments.out, "correlated", files))
+    return common.write_study(arguments, "correlated", correlated_files.files(result, arguments.language))

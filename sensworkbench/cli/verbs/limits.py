@@ -11,7 +11,7 @@ FILES = "`limits.json`, `contributions.csv`, `report.html`"
 
 def add(parser) -> None:
     common.add_machine(parser)
-    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    common.add_out(parser)
     text = "probability of the quantiles (default 0.95)"
     parser.add_argument("--level", metavar="P", type=common.positive, default=0.95, help=text)
     text = "error in um whose probability to be exceeded is asked for; may be given several times"
@@ -20,11 +20,10 @@ def add(parser) -> None:
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import limits_json, study_files
+    from sensworkbench.formats import limits_json
     from sensworkbench.studies.limits import limits_study
 
     machine = common.load_machine(arguments.machine)
     result = limits_study(machine, arguments.level, tuple(arguments.limit))
-    paths = study_files.write_set(arguments.out, "limits", limits_json.files(result, arguments.language))
-    common.say(f"{100 * result.level:g} % of |error| is below {result.quantile:.4g} um")
-    return common.say_paths(paths)
+    said = f"{100 * result.level:g} % of |error| is below {result.quantile:.4g} um"
+    return common.write_study(arguments, "limits", limits_json.files(result, arguments.language), said)

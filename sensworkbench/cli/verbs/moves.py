@@ -11,7 +11,7 @@ FILES = "`moves.json`, `moves.csv`, `report.html`"
 
 def add(parser) -> None:
     common.add_machine(parser)
-    parser.add_argument("--out", metavar="DIR", required=True, help="folder for the results")
+    common.add_out(parser)
     text = "how far each point may be moved: along x, y and z alike, or X,Y,Z (default 50)"
     parser.add_argument("--within", metavar="MM", type=common.box, default=50.0, help=text)
     text = "what each tolerance costs, as for allocate: moves are then worth money too"
@@ -20,10 +20,10 @@ def add(parser) -> None:
 
 
 def run(arguments) -> int:
-    from sensworkbench.formats import costs_csv, moves_json, study_files
+    from sensworkbench.formats import costs_csv, moves_json
     from sensworkbench.studies.moves import moves_study
 
     machine = common.load_machine(arguments.machine)
     costs = costs_csv.load(arguments.costs, machine) if arguments.costs else None
     result = moves_study(machine, arguments.within, costs)
-    return common.say_paths(study_files.write_set(arguments.out, "moves", moves_json.files(result, arguments.language)))
+    return common.write_study(arguments, "moves", moves_json.files(result, arguments.language))
