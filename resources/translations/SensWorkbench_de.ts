@@ -2429,6 +2429,11 @@
       <translation>Gewichte</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Were all errors normal, nothing would be cheaper than {bound}.</source>
+      <translation>Wären alle Abweichungen normalverteilt, wäre nichts billiger als {bound}.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>What</source>
       <translation>Was</translation>

@@ -2429,6 +2429,11 @@
       <translation>가중치</translation>
     </message>
     <message>
+      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <source>Were all errors normal, nothing would be cheaper than {bound}.</source>
+      <translation>모든 오차가 정규 분포라면 {bound}보다 싼 것은 없습니다.</translation>
+    </message>
+    <message>
       <location filename="../../sensworkbench/gui/task_correlated.py" />
       <source>What</source>
       <translation>항목</translation>

@@ -34,6 +34,8 @@ def to_dict(result: AllocationResult) -> dict:
     quantiles = {}
     if result.quantile_um is not None:
         quantiles = {"quantile_um": dict(zip(("before", "after"), result.quantile_um))}
+        if result.normal_bound is not None:
+            quantiles["bound_if_normal"] = result.normal_bound
     return {
         "format": FORMAT,
         "version": VERSION,
@@ -73,6 +75,8 @@ def report(result: AllocationResult, language: str = "en") -> str:
         change = f"{data['quantile_um']['before']:.3g} → {data['quantile_um']['after']:.3g} µm"
         tiles.append((change, words("allocation-quantile", level=100 * result.target.level)))
     lead = words("allocation-lead", cost=data["cost"], gap=100 * max(data["gap"], 0.0))
+    if "bound_if_normal" in data and data["bound_if_normal"] > data["bound"]:
+        lead += " " + words("allocation-if-normal", bound=data["bound_if_normal"])
     rows = [
         (
             e["symbol"],

@@ -247,6 +247,9 @@ class TaskAllocation(Panel):
     def _words(self, found: AllocationResult) -> str:
         words = translate("Sens", "Cost {cost}; nothing cheaper than {bound} meets the target.")
         lines = [words.format(cost=f"{found.allocation.cost:.4g}", bound=f"{found.allocation.bound:.4g}")]
+        if found.normal_bound is not None and found.normal_bound > found.allocation.bound:
+            words = translate("Sens", "Were all errors normal, nothing would be cheaper than {bound}.")
+            lines.append(words.format(bound=f"{found.normal_bound:.4g}"))
         words = translate("Sens", "rms {before} → {after} µm, at the worst place {worst_before} → {worst_after} µm.")
         values = {
             "before": found.rms_before_um, "after": found.rms_after_um,

@@ -17,7 +17,9 @@ from ..core import workspace
 from ..core.allocation import Allocation, Cost, GradeCost, Problem, allocate
 from ..core.allocation_front import front
 from ..core.distributions import Tolerance, moments
+from ..core.limits import normal
 from ..core.machine import Machine
+from ..core.normal_bound import largest_ratio
 from ..core.refusal import Refused
 from ..core.sobol import indices
 from ..core.synthesis import omega
@@ -84,7 +86,8 @@ class FrontPoint:
 @dataclass(frozen=True)
 class AllocationResult:
     """machine : with the allocated tolerances.  rms before and after, um: over the workspace and at the worst place.
-    quantile_um : before and after, where it is the target."""
+    quantile_um : before and after, where it is the target.  normal_bound : then the bound that would hold if every
+    error were normal with the same variance (the proved one, if all are)."""
 
     machine: Machine
     target: Target
@@ -96,6 +99,7 @@ class AllocationResult:
     worst_after_um: float
     front: tuple[FrontPoint, ...]
     quantile_um: tuple[float, float] | None = None
+    normal_bound: float | None = None
 
 
 def _places(machine: Machine, target: Target):
@@ -147,8 +151,9 @@ def allocation_study(
     """
     tell = progress or (lambda part: True)
     if target.kind == "quantile":
-        problem, symbols, found = _for_quantile(machine, target, costs, lambda part: tell(0.4 * part))
+        problem, symbols, found, normal_bound = _for_quantile(machine, target, costs, lambda part: tell(0.4 * part))
     else:
+        normal_bound = None
         problem, symbols = problem_of(machine, target, costs)
         found = allocate(problem)
     if not tell(0.4):
@@ -162,7 +167,7 @@ def allocation_study(
     return AllocationResult(
         after, target, choices, found,
         _rms_um(machine, Target("rms", 1)), _rms_um(after, Target("rms", 1)),
-        _rms_um(machine, Target("worst", 1)), _rms_um(after, Target("worst", 1)), front, quantiles,
+        _rms_um(machine, Target("worst", 1)), _rms_um(after, Target("worst", 1)), front, quantiles, normal_bound,
     )  # fmt: skip
 
 
@@ -181,12 +186,13 @@ def _with(machine: Machine, choices) -> Machine:
 
 # -- a quantile as target ----------------------------------------------------------------------------------------------
 def _for_quantile(machine: Machine, target: Target, costs, tell: Progress):
-    """(problem, symbols, allocation) of the loosest mean square whose cheapest tolerances keep the quantile.
+    """(problem, symbols, allocation, bound if normal) of the loosest mean square whose cheapest tolerances keep the
+    quantile.
 
     The quantile is no convex function of the widths, so the answer is feasible and not proved the cheapest.  Its bound
     is: no tolerances whose mean square exceeds `_largest_mean_square` keep the quantile.
     """
-    widest = _largest_mean_square(machine, target, costs)
+    widest, if_normal = _largest_mean_square(machine, target, costs)
     problem, symbols = problem_of(machine, Target("rms", float(um(np.sqrt(widest)))), costs)
     bound = allocate(problem).bound
     tightest = problem.error(np.array([c.grades[0].w if isinstance(c, GradeCost) else c.lower for c in problem.costs]))
@@ -214,14 +220,26 @@ def _for_quantile(machine: Machine, target: Target, costs, tell: Progress):
         square = aimed if inside else low if best is None and step >= 2 else float(np.sqrt(low * high))
         if not tell((step + 1) / STEPS):
             raise workspace.Cancelled("cancelled")
-    return replace(problem, limit=best.error.copy()), symbols, replace(best, bound=min(bound, best.cost))
+    loosest = replace(problem, limit=np.full(1, if_normal)) if if_normal is not None else None
+    tighter = None if loosest is None else min(_bound(loosest, best.cost), best.cost)
+    return replace(problem, limit=best.error.copy()), symbols, replace(best, bound=min(bound, best.cost)), tighter
 
 
-def _largest_mean_square(machine: Machine, target: Target, costs) -> float:
-    """A mean square (mm²) that no tolerances exceed which keep the quantile.
+def _bound(problem: Problem, cost: float) -> float:
+    """The bound of a problem; `cost` where its limit is out of reach, so that what was found is the tightest."""
+    try:
+        return allocate(problem).bound
+    except Refused:
+        return cost
 
-    Paley & Zygmund: P(Y > t E[Y]) >= (1 - t)² E[Y]² / E[Y²].  No law here has more than the kurtosis of the normal one,
-    so E[Y²] <= 3 E[Y]² at a place, and <= 3 k E[Y]² over places whose mean squares are at most k times their mean.
+
+def _largest_mean_square(machine: Machine, target: Target, costs) -> tuple[float, float | None]:
+    """(a mean square (mm²) that no tolerances exceed which keep the quantile; the same if all errors were normal, None
+    where their means are not zero).
+
+    Of normal errors `core.normal_bound` is the tighter.  Of others: Paley & Zygmund: P(Y > t E[Y]) >= (1 - t)² E[Y]² /
+    E[Y²].  No law here has more than the kurtosis of the normal one, so E[Y²] <= 3 E[Y]² at a place, and <= 3 k E[Y]²
+    over places whose mean squares are at most k times their mean.
     """
     loosest = replace(target, kind="rms", value=1e6)
     problem, _ = problem_of(machine, loosest, costs)
@@ -233,7 +251,13 @@ def _largest_mean_square(machine: Machine, target: Target, costs) -> float:
     largest = float(problem.error(np.array([
         c.grades[-1].w if isinstance(c, GradeCost) else c.upper for c in problem.costs
     ]))[0])  # fmt: skip
-    return min(largest * (1 + 1e-9), mm(mm(target.value**2)) / (1 - share)) if share < 1 else largest * (1 + 1e-9)
+    largest, limit = largest * (1 + 1e-9), mm(mm(target.value**2))
+    known = min(largest, limit / (1 - share)) if share < 1 else largest
+    laws = workspace.error_table(machine).laws
+    if np.any(moments(laws).mean):
+        return known, None
+    if_normal = min(largest, limit * largest_ratio(target.level, most=float(ratio)))
+    return (min(known, if_normal) if normal(laws) else known), if_normal
 
 
 def _with_half(law: Tolerance, half: float) -> Tolerance:

@@ -117,6 +117,29 @@ def test_tolerances_bought_for_a_quantile_keep_it(tmp_path):
         assert other["cost"] >= data["bound"]
 
 
+def test_normal_errors_have_a_bound_near_the_answer_and_no_other_tolerances_undercut_it():
+    from sensworkbench.core.allocation import PowerCost
+    from sensworkbench.core.distributions import Tolerance
+    from sensworkbench.studies.allocation import Target, allocation_study
+
+    machine = machine_json.load(MACHINE)
+    laws = {s: Tolerance(t.lower, t.upper, "normal", t.upper / 3) for s, t in machine.all_tolerances.items()
+            if t.upper > 0}  # fmt: skip
+    machine = replace(machine, tolerances=dict(machine.tolerances) | laws)
+    costs = {s: PowerCost(t.upper, 1.0, 0.1 * t.upper, 4 * t.upper) for s, t in laws.items()}
+    limit = 0.8 * quantile_um(machine, 0.95)
+    found = allocation_study(machine, Target("quantile", limit, 0.95), costs)
+    assert quantile_um(found.machine, 0.95) <= limit
+    assert found.normal_bound == pytest.approx(found.allocation.bound) and 0 < found.allocation.gap < 0.25
+    rng = np.random.default_rng(2)
+    for _ in range(4):  # other tolerances about the answer that keep the quantile as well
+        scale = {c.symbol: np.exp(0.3 * rng.standard_normal()) for c in found.choices}
+        other = {c.symbol: c.after.scaled(scale[c.symbol]) for c in found.choices}
+        size = quantile_um(replace(machine, tolerances=dict(machine.tolerances) | other), 0.95) / limit
+        cost = sum(costs[s].cost(t.upper / size) for s, t in other.items())
+        assert cost >= found.allocation.bound
+
+
 @pytest.mark.parametrize("target", ["quantile=0.95:0.01", "quantile=2:20", "quantile=20", "quantile=0.95:x"])
 def test_a_quantile_that_cannot_be_met_is_refused(tmp_path, target, capsys):
     words = ["allocate", str(MACHINE), "--costs", str(ROOT / "resources" / "examples" / "costs.csv")]
