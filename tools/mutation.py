@@ -246,8 +246,8 @@ class Runner:
         """(the tests for a fault, in their order, and the seconds they take)."""
         lines = self.reach.get(mutant.path, {})
         naming = self._naming(Path(mutant.path).stem)
-        if mutant.function is None:  # a constant: whoever reaches a line that names it, else its module
-            tests = self._using(mutant) or {t for names in lines.values() for t in names} | naming
+        if mutant.function is None:  # a constant: whoever is about its module or reaches a line that names it
+            tests = naming | (self._using(mutant) or {t for names in lines.values() for t in names})
         else:
             tests = set(lines.get(str(mutant.line), []))
         tests = sorted(t for t in tests if t in self.seconds and self.seconds[t] <= self.arguments.longest)

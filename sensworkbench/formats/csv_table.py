@@ -9,6 +9,7 @@ with the size of the text, however it is cut into rows and columns.
 from __future__ import annotations
 
 import csv
+import re
 from array import array
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,6 +25,9 @@ LIMIT = 512 * 2**20  # bytes
 SEPARATORS = ("\t", ";", ",")
 MAX_COLUMNS = 100_000
 _CHUNK = 2**18  # characters that are cut into cells at a time
+_SPECIAL = re.compile(r"^[,;\t ]*(?:#|\s|\Z)", re.MULTILINE)  # perhaps a comment, or a line without cells
+_NOT_PLAIN = re.compile(r"[\"\s]")
+_LONGEST = csv.field_size_limit()
 
 
 class Cells(Sequence):
@@ -39,6 +43,11 @@ class Cells(Sequence):
         """Append rows, each as long as the table is wide."""
         for blocks, column in zip(self._blocks, zip(*rows, strict=True), strict=True):
             blocks.append("\n".join([cell.strip() for cell in column]))
+
+    def add_plain(self, cells: list[str]) -> None:
+        """Append rows whose cells follow each other and have no blanks about them."""
+        for j, blocks in enumerate(self._blocks):
+            blocks.append("\n".join(cells[j :: len(self._blocks)]))
 
     def __len__(self) -> int:
         return len(self._blocks)
@@ -118,7 +127,7 @@ class Table:
                     raise ValueError
                 if comma:
                     block = [c.replace(",", ".") for c in block]
-                found[done : done + len(block)] = [float(c) if c else np.nan for c in block]
+                found[done : done + len(block)] = _floats(block)
             except ValueError:
                 row = self.first_bad(column)
                 cell = short(self.cells[column][row])
@@ -137,6 +146,13 @@ class Table:
             row = max(both)
             cell, other = (short(cells[r][:25]) for r in (row, min(both)))
             raise Refused("decimal-mixed", self.place(row, column), cell=cell, other=other)
+
+
+def _floats(block: list[str]) -> np.ndarray:
+    """The numbers of cells, NaN of an empty one."""
+    if "" in block:
+        return np.array([float(c) if c else np.nan for c in block])
+    return np.fromiter(map(float, block), float, len(block))
 
 
 def is_number(text: str) -> bool:
@@ -160,13 +176,17 @@ def parse(text: str, source: str) -> Table:
     for lines, where in _chunks(text, comments):
         if not names:
             separator = next((s for s in SEPARATORS if s in lines[0]), ",")
+        elif plain := _plain_cells(lines, separator, len(names)):
+            cells.add_plain(plain)
+            numbers.extend(where)
+            continue
         rows = _rows(lines, where, separator, source)
         if not names:
             names = tuple(name.strip() for name in rows.pop(0))
             if len(names) > MAX_COLUMNS:
                 raise Refused("table-too-wide", f"{source}, line {where[0]}", columns=len(names), limit=MAX_COLUMNS)
             cells = Cells(len(names))
-        if any(len(row) != len(names) for row in rows):
+        if set(map(len, rows)) - {len(names)}:
             i, row = next((i, r) for i, r in enumerate(rows, start=len(lines) - len(rows)) if len(r) != len(names))
             raise Refused("table-ragged", f"{source}, line {where[i]}", cells=len(row), columns=len(names))
         if rows:
@@ -186,9 +206,9 @@ def _chunks(text: str, comments: list) -> Iterator[tuple[list[str], Sequence[int
         end = len(text) if end < 0 else end
         lines = text[start:end].split("\n")
         where: Sequence[int] = range(number, number + len(lines))
-        begins = [line.strip(",;\t ")[:1] for line in lines]
+        special = _SPECIAL.search(text, start, end)
         number, start = number + len(lines), end + 1
-        if "" in begins or "#" in begins or any(b.isspace() for b in set(begins)):
+        if special:
             kept = []
             for n, line in zip(where, lines):
                 bare = line.strip()
@@ -200,6 +220,19 @@ def _chunks(text: str, comments: list) -> Iterator[tuple[list[str], Sequence[int
                 continue
             where, lines = zip(*kept)
         yield list(lines), where
+
+
+def _plain_cells(lines: list[str], separator: str, width: int) -> list[str]:
+    """The cells of lines one after another where nothing but separators has a meaning; else none.
+
+    Millions of short rows: a list for each of them would take most of the time.
+    """
+    if max(map(len, lines)) > _LONGEST or {line.count(separator) for line in lines} != {width - 1}:
+        return []
+    joined = separator.join(lines)
+    if _NOT_PLAIN.search(joined if separator != "\t" else joined.replace("\t", ",")):
+        return []
+    return joined.split(separator)
 
 
 def _rows(lines: list[str], where: Sequence[int], separator: str, source: str) -> list[list[str]]:

@@ -14,7 +14,7 @@ import pytest
 from sensworkbench import cli
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.core.refusal import Refused
-from sensworkbench.formats import files, json_text, machine_json, readings_conventions, readings_csv
+from sensworkbench.formats import csv_table, files, json_text, machine_json, readings_conventions, readings_csv
 from sensworkbench.formats.exchange.known import etalon, fcm, isg
 from sensworkbench.studies.places import within_travel
 
@@ -156,6 +156,28 @@ def test_a_table_of_short_rows_takes_twenty_times_its_size(tmp_path, row):
         finally:
             tracemalloc.stop()
     assert (peaks[1] - peaks[0]) / (200_000 * len(row)) < 20
+
+
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_plain_rows_are_read_as_rows_that_need_care(separator):
+    """Rows without blanks and quotes are cut in one piece: the same table with them is the same table."""
+    rng = np.random.default_rng(len(separator) + ord(separator))
+    rows = [[f"{a:.3f}", *(f"{v:.3f}" if v > -2 else "" for v in more)] for a, *more in rng.normal(size=(60_000, 3))]
+    rows[777] = ["1e3", "x", "nan"]
+    plain = "\n".join(separator.join(row) for row in (["a", "b", "c"], *rows)) + "\n"
+    careful = "\n".join(separator.join(f'"{cell}"' for cell in row) for row in (["a", "b", "c"], *rows))
+    want, found = csv_table.parse(careful, "t"), csv_table.parse(plain, "t")
+    assert found.rows == want.rows == 60_000 and found.line[-1] == 60_001
+    assert [found.cells[j] for j in range(3)] == [want.cells[j] for j in range(3)] == [list(c) for c in zip(*rows)]
+    assert found.first_bad(1) == 777 and found.first_bad(0) is None
+    lines = plain.split("\n")
+    for changed, code in (("1" + separator + "2", "table-ragged"), ('1;2,3\t"4', "cell-over-line-end")):
+        broken = "\n".join([*lines[:50_000], changed, *lines[50_000:]])
+        with pytest.raises(Refused) as refused:
+            csv_table.parse(broken, "t")
+        assert refused.value.code in (code, "table-ragged") and "line 50001" in str(refused.value)
+    for extra in ("#note", separator * 2, "", "  ", " # note"):
+        assert csv_table.parse("\n".join([*lines[:50_000], extra, *lines[50_000:]]), "t").rows == 60_000
 
 
 def test_a_file_longer_than_it_says_is_read_whole(tmp_path, monkeypatch):
