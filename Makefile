@@ -11,7 +11,8 @@
 # One test: .venv/bin/python -m pytest FILE::NAME, or .venv/bin/python tests/run_in_freecad.py [--gui] FILE::NAME
 # make bench   time and memory of the indices beside OpenTURNS, SALib and the memory floor; change to repaint
 # make translations  collect the texts of the window, compile German and Korean (checked by lrelease where installed)
-# make fuzz    half a million changed files, each read or refused; the count is printed (FUZZ_INPUTS=N, FUZZ_SEED=N)
+# make fuzz    half a million changed files, each read or refused; the count is printed (FUZZ_INPUTS=N, FUZZ_SEED=N); then
+#              100,000 inputs led by the branches that they reach, where atheris is installed in .venv (FUZZ_RUNS=N)
 # make coverage  branches of core and of the rest that the plain tests take, file by file
 # make mutation  small faults made one at a time: how many the tests find (LAYER=core|closedloop, SAMPLE=N, MINUTES=N)
 # make screens  a picture of every panel on each FreeCAD that is there: three sizes of screen, light and dark, in build/screens/
@@ -87,6 +88,7 @@ bench: venv
 
 fuzz: venv
 	$(VENV_PYTHON) tests/fuzz/run.py --inputs $(or $(FUZZ_INPUTS),500000) --seed $(or $(FUZZ_SEED),0)
+	$(VENV_PYTHON) tests/fuzz/covered.py --runs $(or $(FUZZ_RUNS),100000) --seed $(or $(FUZZ_SEED),0)
 
 coverage: export OMP_NUM_THREADS = 1
 coverage: export OPENBLAS_NUM_THREADS = 1
