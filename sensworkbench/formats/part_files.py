@@ -15,6 +15,7 @@ from sensworkbench.core.machine import Machine
 from sensworkbench.core.refusal import Refused
 from sensworkbench.core.toolpath import STEP_MM, ToolPath
 from sensworkbench.core.units import mm, um
+from sensworkbench.messages import Message
 from sensworkbench.studies.part import FeatureRequest, PartRequest, PartResult, features_on, part_study
 from sensworkbench.studies.part_correct import (
     LIMIT_MM,
@@ -156,6 +157,8 @@ def _limited(features, limits) -> tuple[FeatureRequest, ...]:
     """The features with the limits of the command line: of all, then of single ones."""
     found = list(features)
     for name, limit in sorted(limits, key=lambda pair: pair[0] is not None):
+        if name is not None and not found:
+            raise Refused("feature-none", "--limit", name=json_text.short(name))
         if name is not None and all(f.name != name for f in found):
             raise Refused("feature-unknown", "--limit", name=json_text.short(name), known=[f.name for f in found][:20])
         found = [replace(f, limit=limit) if name in (None, f.name) else f for f in found]
@@ -200,6 +203,13 @@ def _tool(text: str) -> tuple[int, gcode.Tool]:
 def judged(job: Job, progress=None) -> PartResult:
     """The outcome of a job."""
     return part_study(job.machine, job.path, job.request, progress)
+
+
+def outside_words(result: PartResult) -> str:
+    """In English, how many blocks leave the travel, and by how much the first one does."""
+    first = result.outside[0]
+    fields = {"line": first.line, "joint": first.joint, "by": first.by, "unit": result.machine.joint(first.joint).unit}
+    return Message("part-outside-some", count=len({o.line for o in result.outside}), **fields).text()
 
 
 def correction_of(job: Job) -> Correction:

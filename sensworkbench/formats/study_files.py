@@ -93,15 +93,20 @@ def write_trace(
     return write_saved_trace(folder, trace_json.to_dict(result), result.evidence, extra, language)
 
 
-def write_saved_trace(folder, report: Mapping, evidence: TraceEvidence, extra=None, language: str = "en") -> list[Path]:
-    """Write a trace that was kept as the data of trace.json and its evidence; see `write_trace`."""
+def write_saved_trace(
+    folder, report: Mapping, evidence: TraceEvidence, extra=None, language: str = "en", motion=()
+) -> list[Path]:
+    """Write a trace that was kept as the data of trace.json and its evidence; see `write_trace`.
+
+    motion : pictures (GIF or PNG) for the report of how the first effect moves the machine.
+    """
     machine = augmented(evidence)
     names, matrix = evidence.covariance
     covariance = io.BytesIO()
     np.savez_compressed(covariance, parameters=np.array(names, dtype=str), covariance=np.asarray(matrix, dtype=float))
     files = {
         "trace.json": json_text.dumps(report),
-        "report.html": trace_html.trace_report(report, evidence, language),
+        "report.html": trace_html.trace_report(report, evidence, language, motion),
         "machine_augmented.json": machine_json.dumps(machine),
         COVARIANCE: covariance.getvalue(),
     }

@@ -87,20 +87,20 @@ def parameter_words(entry, words: Words | None = None) -> str:
     return text if all(u is None for u in spread) else f"{text} (k = {K:g})"
 
 
-def trace_report(data: Mapping, outcome=None, language: str = "en") -> str:
+def trace_report(data: Mapping, outcome=None, language: str = "en", motion=()) -> str:
     """The page for the data of trace.json.
 
     outcome : the `TraceEvidence` that its pictures are drawn from, or None.  language : of the words; a sentence of the
-    data that has no code stays as it is.
+    data that has no code stays as it is.  motion : pictures (GIF or PNG) of how the first effect moves the machine.
     """
-    return _Report(data, outcome, Words(language)).page()
+    return _Report(data, outcome, Words(language), motion).page()
 
 
 class _Report:
     """The sections of one page.  data : of trace.json.  words : the language."""
 
-    def __init__(self, data: Mapping, outcome, words: Words):
-        self.data, self.outcome, self.words = data, outcome, words
+    def __init__(self, data: Mapping, outcome, words: Words, motion=()):
+        self.data, self.outcome, self.words, self.motion = data, outcome, words, motion
 
     def page(self) -> str:
         words, data, outcome = self.words, self.data, self.outcome
@@ -112,6 +112,7 @@ class _Report:
         parts = [
             self.summary(),
             self.findings(),
+            self.moving(),
             self.before_and_after(),
             self.remainder(),
             self.next(),
@@ -327,6 +328,11 @@ class _Report:
             heads = self.heads(words("tr-column-why-unnamed"))
             parts.append(html.table(heads, self.rows(data["refused_names"]), words("tr-unnamed")))
         return html.section(words("tr-noise"), *parts)
+
+    def moving(self) -> Html:
+        words = self.words
+        pictures = [html.picture(one, words("part-motion-alt"), words("tr-motion-caption")) for one in self.motion]
+        return html.section(words("part-motion-alt"), *pictures) if pictures else Html("")
 
     def next(self) -> Html:
         words, planned = self.words, self.data["next_measurements"]

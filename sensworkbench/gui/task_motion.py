@@ -360,6 +360,27 @@ def open_panel(machine, label: str = "") -> TaskMotion:
     return panel
 
 
+def stills(machine, labels, count: int = 16, size: tuple[int, int] = (600, 430)) -> tuple[bytes, ...]:
+    """Pictures for a report of how the first of the `labels` that can be shown moves the machine: a GIF, or three PNG
+    pictures where no GIF can be written; none without a view."""
+    try:
+        names = movable(extract.survey(machine).core)
+        label = next((one for one in labels if one in names), None)
+        if label is None:
+            return ()
+        panel = TaskMotion(machine, label)
+    except Refused:
+        return ()
+    try:
+        if panel.moving is None:
+            return ()
+        shown = panel.frames(count if gif.available() else 3, size)
+        moving = gif.animated(shown, int(1000 * PERIOD_S / count))
+    finally:
+        panel.leave()
+    return tuple(shown) if moving is None else (moving,)
+
+
 @command
 class ShowMotion(Command):
     name = "Sens_Motion"

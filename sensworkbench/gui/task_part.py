@@ -39,6 +39,7 @@ from .preferences import number_box
 from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, later, translate
 from .ranking import NumericItem
 from .task_motion import open_panel as open_motion
+from .task_motion import stills
 from .texts import body_name, meaning, point_text, short_name
 
 FEATURE, VALUE, UNSURE, AFTER = range(4)
@@ -487,7 +488,8 @@ class TaskPart(Panel):
         if not folder or self.found is None:
             return []
         png = picture(self.document)
-        files = part_files.files(self.found.job, self.found.result, messages.language(), picture=png)
+        found, language = self.found, messages.language()
+        files = part_files.files(found.job, found.result, language, picture=png, motion=self._motion())
         if png is not None:
             files[PICTURE] = png
         if not messages.may_write(folder, files):
@@ -499,6 +501,27 @@ class TaskPart(Panel):
             return []
         messages.written(paths)
         return paths
+
+    def _motion(self) -> tuple[bytes, ...]:
+        """How the largest share of the chosen feature moves the machine, or of the largest one where none is chosen."""
+        feature = self._feature() or max(self.found.result.features, key=lambda f: abs(f.value), default=None)
+        if feature is None or self._view is None:
+            return ()
+        ranked = sorted(zip(feature.shares, self.found.result.labels), key=lambda one: -abs(one[0]))
+        root, camera = self.machine.ViewObject.RootNode, self._view.getCamera()
+        shown = (self.scene.root, self.mark.root, self.legend.root)
+        for node in shown:
+            root.removeChild(node)
+        self.hidden.show()
+        pointers.clear(self.machine)
+        self._view.fitAll()
+        try:
+            return stills(self.machine, [label for _, label in ranked])
+        finally:
+            for node in shown:
+                root.addChild(node)
+            self._alone()
+            self._view.setCamera(camera)
 
     def leave(self) -> None:
         self.hidden.show()

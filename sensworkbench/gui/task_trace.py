@@ -21,6 +21,7 @@ from .panel import Panel
 from .panel import show as show_panel
 from .preferences import combo
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
+from .task_motion import stills
 
 POLL, WATCH = 60, 600  # milliseconds
 TRACE_FILES = ("trace.json", "report.html", "machine_augmented.json")
@@ -359,7 +360,9 @@ def ask_and_write(trace) -> list:
     if not folder or not messages.may_write(folder, TRACE_FILES):
         return []
     report, evidence = closed_loop.report_of(trace), closed_loop.evidence_of(trace)
-    paths = study_files.write_saved_trace(folder, report, evidence, language=messages.language())
+    found = [name for e in report.get("effects", ()) for name in (e.get("name"), e.get("component")) if name]
+    moving = stills(tree.owner_machine(trace), found)
+    paths = study_files.write_saved_trace(folder, report, evidence, language=messages.language(), motion=moving)
     messages.written(paths)
     return paths
 

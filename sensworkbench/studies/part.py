@@ -162,6 +162,11 @@ class _Surfaces:
             normal = self.path.normal[rows]
             known = normal if np.isfinite(normal).all() else None
             points = nominal_points(self.machine, self.path, rows)
+            if element is not None:
+                count, fewest = len(np.unique(np.round(points, 6), axis=0)), wanted[element]
+                if count < fewest:
+                    text = f"feature {name!r}"
+                    raise Refused("feature-too-few-points", text, kind=kind, count=count, fewest=fewest)
             made = None if element is None else elements.made(element, points, known, f"feature {name!r}", kind)
             self._made[label, element] = surface(label, points, known, made)
         return self._made[label, element]

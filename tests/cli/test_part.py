@@ -50,10 +50,25 @@ def test_a_program_gives_the_roundness_of_its_circle(machine, tmp_path):
     assert main(["verify", str(machine.parent / "out")]) == 0
 
 
-def test_blocks_outside_the_travel_are_named_with_their_excess(machine, tmp_path):
+def test_blocks_outside_the_travel_are_named_with_their_excess(machine, tmp_path, capsys):
     path = write(tmp_path / "p.nc", HEAD + "G1 X310 F500\nG1 Y-205.5\n")
     found = run(machine, path, "--work-offset", "G54=0,0,0")["outside_travel"]
     assert [(o["line"], o["joint"], o["by"]) for o in found] == [(4, "X", 10.0), (5, "X", 10.0), (5, "Y", 5.5)]
+    assert "2 blocks leave the travel" in capsys.readouterr().err
+
+
+def test_a_limit_or_a_solid_without_what_it_is_for_is_refused(machine, tmp_path, capsys):
+    path = write(tmp_path / "p.nc", HEAD + "G1 X10\n")
+    run(machine, path, "--work-offset", "G54=0,0,0", "--limit", "circle=1", status=2)
+    assert "no features" in capsys.readouterr().err
+    run(machine, path, "--work-offset", "G54=0,0,0", "--model", "Plate", status=2)
+    assert "no document" in capsys.readouterr().err
+
+
+def test_as_many_points_are_asked_for_as_the_kind_needs(machine, tmp_path, capsys):
+    path = write(tmp_path / "p.nc", HEAD + "(feature: a, roundness)\nG1 X61\n(feature: end)\n")
+    run(machine, path, "--work-offset", "G54=0,0,0", status=2)
+    assert "at least 4" in capsys.readouterr().err
 
 
 def test_features_and_offsets_of_a_file(machine, tmp_path):

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from sensworkbench.document import tree
+from sensworkbench.gui import gif, task_part
 from sensworkbench.gui import messages as window
-from sensworkbench.gui import task_part
 from sensworkbench.gui.command import REGISTRY
 from sensworkbench.gui.qt import QtGui, pump
 from sensworkbench.gui.state import of as state_of
@@ -152,7 +152,9 @@ def test_the_report_holds_the_picture(panel, tmp_path, monkeypatch):
     names = {p.name for p in panel.ask_report()}
     assert {"part.json", "report.html", "view.png"} <= names
     close_messages()
-    assert "data:image/png" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "data:image/png" in page and ("data:image/gif" in page) == gif.available()
+    assert panel.machine.ViewObject.RootNode.findChild(panel.scene.root) >= 0 and panel.hidden._kept
     assert json.loads((tmp_path / "part.json").read_text(encoding="utf-8"))["features"]
 
 

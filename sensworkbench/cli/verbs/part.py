@@ -58,6 +58,7 @@ def _of_document(arguments, machine):
 
 
 def run(arguments) -> int:
+    import sys
     from pathlib import Path
 
     from sensworkbench.core.units import mm
@@ -93,4 +94,7 @@ def run(arguments) -> int:
         result = part_files.judged(job)
     except Refused as refused:
         raise (refused.at(arguments.path) if refused.where.startswith("line ") else refused) from None
-    return common.say_paths(part_files.write(folder, job, result, arguments.language))
+    paths = part_files.write(folder, job, result, arguments.language)
+    if result.outside:
+        common.say(part_files.outside_words(result), sys.stderr)
+    return common.say_paths(paths)
