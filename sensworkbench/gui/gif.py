@@ -17,17 +17,12 @@ def available() -> bool:
 
 
 def animated(pictures: Sequence[bytes], milliseconds: int) -> bytes | None:
-    """The GIF that shows PNG pictures one after the other, for ever; None without Pillow or without a picture.
-
-    All pictures have the colours of the first, so that nothing flickers.
-    """
+    """The GIF that shows PNG pictures one after the other, for ever; None without Pillow or without a picture."""
     if not pictures or not available():
         return None
     from PIL import Image
 
-    opened = [Image.open(io.BytesIO(data)).convert("RGB") for data in pictures]
-    first = opened[0].quantize(colors=255)
-    frames = [first, *(one.quantize(palette=first, dither=Image.Dither.NONE) for one in opened[1:])]
+    frames = [Image.open(io.BytesIO(data)).convert("RGB").quantize(colors=255) for data in pictures]
     out = io.BytesIO()
-    first.save(out, "GIF", save_all=True, append_images=frames[1:], duration=milliseconds, loop=0)
+    frames[0].save(out, "GIF", save_all=True, append_images=frames[1:], duration=milliseconds, loop=0)
     return out.getvalue()

@@ -265,7 +265,8 @@ class TaskMotion(Panel):
         self.ghost.place(shift, phase * self.times * moving.turn, self.centre)
         tip = self.tip + (phase * moving.slide if self.core.side(moving.body) > 0 else 0.0)
         answer = tip + phase * self.times * moving.answer
-        words = f"{1e3 * phase * np.linalg.norm(moving.answer):.2g} µm"
+        size = 1e3 * phase * float(np.linalg.norm(moving.answer))
+        words = f"{size if abs(size) > 1e-9 else 0.0:.2g} µm"
         arm = length(float(np.linalg.norm(self.tip - self.centre)))
         self.arrows.show(
             [

@@ -511,6 +511,7 @@ class TaskPart(Panel):
         root, camera = self.machine.ViewObject.RootNode, self._view.getCamera()
         shown = (self.scene.root, self.mark.root, self.legend.root)
         for node in shown:
+            node.ref()  # else it would be gone with its place in the graph
             root.removeChild(node)
         self.hidden.show()
         pointers.clear(self.machine)
@@ -520,6 +521,7 @@ class TaskPart(Panel):
         finally:
             for node in shown:
                 root.addChild(node)
+                node.unref()
             self._alone()
             self._view.setCamera(camera)
 
