@@ -61,6 +61,19 @@ def aligned(machine: Machine, readings: Readings, settings: TraceSettings = DEFA
     return tilted if f_score(plain.chi2 - left, dims, left, dof) > limit else shifted
 
 
+def too_few(code: str, found: Fit, readings: Readings) -> Refused:
+    """The refusal `code` of readings that do not determine the parameters; where runs of one place make them so many,
+    that is said instead.
+    """
+    fields = {"count": readings.rows, "rank": found.basis.rank}
+    if readings.run is not None and readings.alignment != "once":
+        count = np.unique([str(r) for r in readings.run], return_counts=True)[1]
+        single = int((count == 1).sum())
+        if single > len(count) / 2:
+            return Refused("fit-runs-of-one", "readings", single=single, runs=len(count), **fields)
+    return Refused(code, "readings", **fields)
+
+
 def declared_fit(machine: Machine, readings: Readings) -> Fit:
     """Robust weighted least squares of the declared errors; the machine's own enabled effects are taken off first.
 
@@ -70,7 +83,7 @@ def declared_fit(machine: Machine, readings: Readings) -> Fit:
     terms = design(machine, readings)
     found = fit(terms, readings)
     if found.dof < 1:
-        raise Refused("fit-few-for-model", "readings", count=readings.rows, rank=found.basis.rank)
+        raise too_few("fit-few-for-model", found, readings)
     return found
 
 

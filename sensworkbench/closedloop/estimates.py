@@ -26,7 +26,6 @@ from .fit import Fit
 from .problem import State
 from .scan import exact_gain
 from .search import ScoredTerm
-from .settings import DEFAULT
 from .sources import common_sources
 from .uncertainty import Spread, expected, settled, spread, triangle, with_effects
 
@@ -271,7 +270,7 @@ class Estimates:
         ]
         total = 1 + sum(o for _, o in odds)
         ranked = sorted(((c, o / total) for c, o in odds), key=lambda item: -item[1])
-        return [(c, w) for c, w in ranked[:MOST_OTHERS] if w > DEFAULT.other_weight]
+        return [(c, w) for c, w in ranked[:MOST_OTHERS] if w > self.state.settings.other_weight]
 
     def exchanged(self, i: int, other: ScoredTerm) -> Fit:
         """The fit with another term in the place of a member of the model."""

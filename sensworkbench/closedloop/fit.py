@@ -130,7 +130,8 @@ class Fit:
 
     coefficients (n,), mm or rad; determined (n,) bool; covariance (n, n) of the determined part (zero elsewhere).
     residual (R,) mm; sigma (R,) mm: noise of each reading as used; weight (R,): 1/sigma, 0 for outliers; outliers (R,)
-    bool; noise: kind -> sigma mm; basis of the whitened rows; null_space (n, k), reduced; dof; memory of the noise.
+    bool; noise: kind -> sigma mm; basis of the whitened rows; null_space (n, k), reduced; dof; memory of the noise;
+    settings that it was made with.
     """
 
     design: Design
@@ -147,6 +148,7 @@ class Fit:
     extra: int  # columns appended for effects
     dof: float
     memory: Memory | None = None
+    settings: TraceSettings = DEFAULT
 
     def white(self, x) -> np.ndarray:
         """Rows (R,) or (R, m) over their noise, its memory taken out: white and of variance 1 where x is noise."""
@@ -159,7 +161,7 @@ class Fit:
         return float((self.white(self.residual) ** 2).sum())
 
 
-def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.ndarray, dict]:
+def _noise(residual, readings: Readings, good, loss: float, stated, least: float) -> tuple[np.ndarray, dict]:
     """Noise of each row: the stated one, scaled if it is wrong, else the robust spread of its kind of sensing."""
     sigma = np.empty(len(residual))
     table = {}
@@ -167,10 +169,10 @@ def _noise(residual, readings: Readings, good, loss: float, stated) -> tuple[np.
         rows = readings.kind == kind
         use = rows & good
         spread = float(np.sqrt((residual[use] ** 2).mean())) if use.sum() > 3 else robust_scale(residual[rows])
-        spread = max(spread * loss, 1e-9)
+        spread = max(spread * loss, least)
         if stated is not None and np.isfinite(stated[rows]).all():
             ratio = float(np.sqrt(((residual[use] / stated[use]) ** 2).mean())) * loss if use.any() else 1.0
-            sigma[rows] = stated[rows] * max(ratio, 1e-6)
+            sigma[rows] = np.maximum(stated[rows] * ratio, least)
         else:
             sigma[rows] = spread
         table[int(kind)] = float(np.sqrt((sigma[rows] ** 2).mean()))
@@ -223,7 +225,8 @@ def _robust_start(matrix, y, weight, stated, readings: Readings, s: TraceSetting
         sigma = np.empty(count)
         for kind in np.unique(readings.kind):
             rows = readings.kind == kind
-            sigma[rows] = max(robust_scale(residual[rows] / known[rows]) * loss, 1e-9) * known[rows]
+            scale = robust_scale(residual[rows] / known[rows]) * loss
+            sigma[rows] = np.maximum(max(scale, 1e-9) * known[rows], s.least_noise)
         z = residual / sigma
         robust = np.where(np.abs(z) < s.biweight, (1 - (z / s.biweight) ** 2) ** 2, 0.0)
         weight = 1 / sigma
@@ -239,7 +242,9 @@ def _weigh(matrix, y, weight, robust, stated, readings: Readings, signal, s: Tra
     for step in range(9):
         found = _quick(matrix, weight * np.sqrt(robust), y)
         kept, previous = good.sum(), good
-        sigma, noise = _noise(found.residual, readings, good, np.sqrt(kept / max(kept - found.rank, 1)), stated)
+        sigma, noise = _noise(
+            found.residual, readings, good, np.sqrt(kept / max(kept - found.rank, 1)), stated, s.least_noise
+        )
         z = np.abs(found.residual / sigma)
         far = np.flatnonzero(z >= s.outlier * np.sqrt(s.least_free))  # the others are good whatever their leverage
         free = np.maximum(1 - found.leverage(far), s.least_free)
@@ -315,6 +320,7 @@ def fit(
         extra=0 if effects is None else effects.shape[1],
         dof=float(good.sum() - b.rank),
         memory=whitening,
+        settings=settings,
     )
 
 

@@ -15,7 +15,7 @@ from ..core.refusal import Refused
 from ..core.shapes import Regressor, legendre
 from ..core.synthesis import omega
 from .readings import Readings
-from .settings import DEFAULT
+from .settings import DEFAULT, TraceSettings
 
 
 def declared_values(machine: Machine, q) -> dict[str, np.ndarray]:
@@ -34,16 +34,22 @@ def needed_columns(machine: Machine) -> list[str]:
     return list(dict.fromkeys(names))
 
 
-def predict(machine: Machine, positions: Readings, alignment: bool = True, effects: bool = True) -> np.ndarray:
+def predict(
+    machine: Machine,
+    positions: Readings,
+    alignment: bool = True,
+    effects: bool = True,
+    settings: TraceSettings = DEFAULT,
+) -> np.ndarray:
     """(P, 3) predicted error, mm, actual minus commanded in the machine frame.
 
     alignment : include the fitted alignment and run offsets.  effects : include the enabled effects; refuses when a
-    column that one of them needs is missing, or where a result is not a finite number.
+    column that one of them needs is missing, or where a result is not a finite number.  settings : of the trace.
     """
     if machine.fitted is None:
         raise Refused("predict-no-fit", machine.name)
     with np.errstate(all="ignore"):
-        out = _predicted(machine, positions, alignment, effects)
+        out = _predicted(machine, positions, alignment, effects, settings)
     bad = ~np.isfinite(out).all(axis=1)
     if bad.any():
         row = int(np.argmax(bad))
@@ -51,7 +57,7 @@ def predict(machine: Machine, positions: Readings, alignment: bool = True, effec
     return out
 
 
-def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: bool) -> np.ndarray:
+def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: bool, settings) -> np.ndarray:
     q = positions.q
     parts: list[tuple[str, np.ndarray]] = list(declared_values(machine, q).items())
     if alignment:
@@ -70,7 +76,7 @@ def _predicted(machine: Machine, positions: Readings, alignment: bool, effects: 
     if alignment:
         for tool in machine.fitted.tools:
             if positions.tool_offset is not None:
-                mask = np.abs(positions.tool_offset - np.asarray(tool.offset)).max(axis=1) < DEFAULT.same_tool
+                mask = np.abs(positions.tool_offset - np.asarray(tool.offset)).max(axis=1) < settings.same_tool
                 out[mask] += np.asarray(tool.error)
     return out
 
@@ -90,7 +96,9 @@ def _of_runs(fitted: FittedModel, positions: Readings) -> list[tuple[str, np.nda
 CHUNK = 2000  # points at a time
 
 
-def uncertainty(machine: Machine, positions: Readings, alignment: bool = True) -> np.ndarray | None:
+def uncertainty(
+    machine: Machine, positions: Readings, alignment: bool = True, settings: TraceSettings = DEFAULT
+) -> np.ndarray | None:
     """(P, 3) standard uncertainty of what `predict` gives, mm, correlations kept; None where none is known.
 
     It is that of the systematic error: a new reading scatters about it by its own noise besides.  A rival whose columns
@@ -105,7 +113,7 @@ def uncertainty(machine: Machine, positions: Readings, alignment: bool = True) -
     effects = {e.name: e for e in machine.effects if e.enabled}
     columns: list[tuple[int, str | int, np.ndarray]] = []  # of each parameter: symbol or axis, and what it multiplies
     for key, i in at.items():
-        columns += [(i, *part) for part in _part(machine, key, positions, alignment, effects, step[key])]
+        columns += [(i, *part) for part in _part(machine, key, positions, alignment, effects, step[key], settings)]
     others = [o for o in known.others if set(o.effect.columns) <= set(positions.columns)]
     own = [(o.effect.component, np.sqrt(o.weight) * o.effect.values(positions.columns)) for o in others]
     own += _apart(effects.values(), {key[1] for key in at if key[0] == EFFECT}, positions)
@@ -144,7 +152,7 @@ def _apart(effects, known: set[str], positions: Readings) -> list[tuple[str, np.
     return out
 
 
-def _part(machine: Machine, key, positions: Readings, alignment: bool, effects, step: float):
+def _part(machine: Machine, key, positions: Readings, alignment: bool, effects, step: float, settings: TraceSettings):
     """(symbol, or axis of a shift at the tool; (P,) what a parameter of the covariance multiplies), none or one."""
     group, count = key[0], positions.points
     if group == DECLARED:
@@ -177,10 +185,10 @@ def _part(machine: Machine, key, positions: Readings, alignment: bool, effects, 
     if positions.tool_offset is None or key[1] >= len(machine.fitted.tools):
         return []
     offset = np.asarray(machine.fitted.tools[key[1]].offset)
-    return [(key[2], (np.abs(positions.tool_offset - offset).max(axis=1) < DEFAULT.same_tool).astype(float))]
+    return [(key[2], (np.abs(positions.tool_offset - offset).max(axis=1) < settings.same_tool).astype(float))]
 
 
-def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:
+def extrapolated(machine: Machine, positions: Readings, settings: TraceSettings = DEFAULT) -> np.ndarray:
     """(P,) where a place or a driver lies outside what the fit has seen (by more than 1 % of its range)."""
     fitted = machine.fitted or FittedModel()
     outside = np.zeros(positions.points, dtype=bool)
@@ -192,5 +200,5 @@ def extrapolated(machine: Machine, positions: Readings) -> np.ndarray:
     if fitted.tools or fitted.ranges:  # readings without tool columns were taken with the machine's own tool
         seen = np.array([t.offset for t in fitted.tools] or [(0.0, 0.0, 0.0)])
         tool = np.zeros((positions.points, 3)) if positions.tool_offset is None else positions.tool_offset
-        outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > DEFAULT.same_tool
+        outside |= np.abs(tool[:, None, :] - seen[None]).max(axis=2).min(axis=1) > settings.same_tool
     return outside

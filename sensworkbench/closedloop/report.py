@@ -24,6 +24,7 @@ from .design import ALL_SYMBOLS
 from .effects import to_effect
 from .estimates import Estimates
 from .fit import Fit, null_space
+from .input_remarks import input_remarks
 from .problem import State, Step
 from .remainder import Rest
 from .result import (
@@ -92,7 +93,7 @@ def result(state: State, declared: Fit, full: Fit, left: Rest, verdict: str, fli
         ),
         left=final.leftover,
         outliers=final.outliers,
-        remarks=tuple(flipped_remark(kind) for kind in flipped),
+        remarks=(*(flipped_remark(kind) for kind in flipped), *input_remarks(problem.readings, state.settings)),
         alignment=problem.readings.alignment,
         guarantee=checks.guarantee(state),
         evidence=TraceEvidence(machine, problem.readings, residuals, scores.covariance_table(uncertainty)),

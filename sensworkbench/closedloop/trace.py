@@ -17,7 +17,7 @@ from ..core.workspace import Cancelled
 from ..messages import Refused
 from .acceptance import proved, review
 from .checks import contradicted
-from .declared import aligned, without_known_effects
+from .declared import aligned, too_few, without_known_effects
 from .design import check_three_axes
 from .fit import Fit
 from .kept import MOST_AT_THE_END
@@ -58,7 +58,7 @@ def trace(
     state = State(Problem(machine, readings, settings, seed, permutations))
     declared = state.fit_with([])
     if declared.dof < settings.least_dof:
-        raise Refused("trace-few-for-model", "readings", count=readings.rows, rank=declared.basis.rank)
+        raise too_few("trace-few-for-model", declared, readings)
     _tell(tell, 0.05, "declared model fitted")
 
     flipped = settled_signs(state, flipped_directions(machine, readings, declared, settings), tell)

@@ -19,7 +19,7 @@ from ..core.propagation import factor_of
 from .design import Design
 from .fit import Fit, basis
 from .readings import Readings
-from .settings import DEFAULT
+from .settings import TraceSettings
 
 FREE_LENGTH, FREE_ANGLE = 1.0, 1e-3  # mm, rad: of a set-up that nothing is known of
 SMALLEST = 1e-9  # mm or rad: of an error whose tolerance is zero
@@ -170,7 +170,7 @@ def _drift(found, count: int) -> tuple[float, float] | None:
     return best[1:]
 
 
-def _memory(q, r, line: _Line, others) -> tuple[float, float]:
+def _memory(q, r, line: _Line, others, s: TraceSettings) -> tuple[float, float]:
     """(correlation of successive errors whose residuals r (N,) have the correlation that is observed, its u).
 
     A fit takes a part of it: r = (I - H) e, with H = Q Qᵀ.  q (N, m): the rows of Q; others (m, m): Qᵀ V Q of the other
@@ -189,35 +189,35 @@ def _memory(q, r, line: _Line, others) -> tuple[float, float]:
         next_one = pure - line.lagged(q, turned) - line.lagged(turned, q) + line.lagged(mixed, q)
         return next_one / max(square, 0.1 * size)
 
-    low, high = DEFAULT.memory_negative, DEFAULT.memory_most
+    low, high = s.memory_negative, s.memory_most
     for _ in range(9 if observed > expectation(low) else 0):
         middle = (low + high) / 2
         low, high = (middle, high) if expectation(middle) < observed else (low, middle)
-    found = (low + high) / 2 if high < DEFAULT.memory_most or low > DEFAULT.memory_negative else low
-    slope = (expectation(min(found + 0.03, DEFAULT.memory_most)) - expectation(found - 0.03)) / 0.06
+    found = (low + high) / 2 if high < s.memory_most or low > s.memory_negative else low
+    slope = (expectation(min(found + 0.03, s.memory_most)) - expectation(found - 0.03)) / 0.06
     return found, float(np.sqrt((1 - found**2) / size) / max(slope, 0.2))
 
 
-def _averaged(line: _Line, q, decay: float, error: float) -> np.ndarray:
+def _averaged(line: _Line, q, decay: float, error: float, s: TraceSettings) -> np.ndarray:
     """(m, m) Qᵀ V Q, averaged over a correlation that is known to a standard uncertainty."""
     aside = np.sqrt(2) * error
     out = q.T @ line.correlated(q, decay)
-    if aside < DEFAULT.memory_negligible:
+    if aside < s.memory_negligible:
         return out
     ends = [
-        q.T @ line.correlated(q, float(np.clip(decay + s * aside, DEFAULT.memory_negative, DEFAULT.memory_most)))
-        for s in (-1, 1)
+        q.T @ line.correlated(q, float(np.clip(decay + side * aside, s.memory_negative, s.memory_most)))
+        for side in (-1, 1)
     ]
     return out / 2 + (ends[0] + ends[1]) / 4
 
 
-def _correlation(q, r, line: _Line, others) -> tuple[float, float, float]:
+def _correlation(q, r, line: _Line, others, s: TraceSettings) -> tuple[float, float, float]:
     """(share, decay, its standard uncertainty) of the noise whose residuals are r (N,); see `_memory`.
 
     A negative correlation counts only beyond 2.5 standard errors.
     """
     count = len(r)
-    if count < DEFAULT.memory_rows:
+    if count < s.memory_rows:
         return 0.0, 0.0, 0.0
     found = _correlations(r, line, int(min(LAGS, max(count // 5, 1))))
     left = max(count - float((q**2).sum()), 0.1 * count)
@@ -226,10 +226,10 @@ def _correlation(q, r, line: _Line, others) -> tuple[float, float, float]:
         return (*drift, 0.0)
     first, error = found[0] * count / left + 1 / count, 1 / np.sqrt(count)
     if count <= EXACT:
-        first, error = _memory(q, r, line, others)
-    if -DEFAULT.negative_score * error < first < 0:
+        first, error = _memory(q, r, line, others, s)
+    if -s.negative_score * error < first < 0:
         return 0.0, 0.0, 0.0
-    return 1.0, float(np.clip(first, DEFAULT.memory_negative, DEFAULT.memory_most)), error
+    return 1.0, float(np.clip(first, s.memory_negative, s.memory_most)), error
 
 
 def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None = None):
@@ -238,7 +238,7 @@ def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None
     Variance and correlation are those whose residuals look as those of the fit do: what a fit takes from correlated
     noise is counted.  known : correlations of it are used instead.
     """
-    residual = fitted.white(fitted.residual)
+    settings, residual = fitted.settings, fitted.white(fitted.residual)
     noise = NoiseModel({}, {}, {}, {})
     lines = _lines(fitted, readings)
     plain = {k: ortho[line.rows].T @ ortho[line.rows] for k, line in lines.items()}
@@ -248,15 +248,15 @@ def noise_model(fitted: Fit, readings: Readings, ortho, known: NoiseModel | None
         inner, count = plain[kind], len(line.rows)
         q, r = ortho[line.rows], residual[line.rows]
         if known is None:
-            share, decay, error = _correlation(q, r, line, whole - inner)
+            share, decay, error = _correlation(q, r, line, whole - inner, settings)
         else:
             share, decay, error = known.share[kind], known.decay[kind], known.error[kind]
-        if abs(share * decay) > DEFAULT.memory_negligible:
-            inner = (1 - share) * inner + share * _averaged(line, q, decay, error)
+        if abs(share * decay) > settings.memory_negligible:
+            inner = (1 - share) * inner + share * _averaged(line, q, decay, error, settings)
         else:
             share = decay = 0.0
         free = max(count - float(np.trace(inner)), 0.1 * count)
-        noise.variance[kind] = float(r @ r) / free if count >= DEFAULT.memory_rows else 1.0
+        noise.variance[kind] = float(r @ r) / free if count >= settings.memory_rows else 1.0
         noise.share[kind], noise.decay[kind], noise.error[kind] = share, decay, error
         total += noise.variance[kind] * inner
     return noise, (total + total.T) / 2

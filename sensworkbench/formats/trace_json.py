@@ -122,7 +122,7 @@ def to_dict(result: TraceResult) -> dict:
         "remainder": _left(result.left),
         "outliers": [{"line": o.line, "position_mm": list(o.position)} for o in result.outliers],
         "findings": [remark(f.severity, f.code, f.message, f.line) for f in result.readings.remarks]
-        + [remark("warning", m.code, m, 0) for m in result.remarks],
+        + [remark("info" if m.code.startswith("input-") else "warning", m.code, m, 0) for m in result.remarks],
     }
 
 
