@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import random
 import time
 
 import FreeCAD as App
@@ -12,7 +13,7 @@ import pytest
 
 from sensworkbench.document.propose import engine
 
-from .machines import add, bored, box, joined, kinds, odd, part, rod, writers
+from .machines import add, bored, box, joined, kinds, odd, part, rod, spoilt, unlike, writers
 
 HAS_JOINTS = importlib.util.find_spec("UtilsAssembly") is not None  # FreeCAD 1.0 and later
 WRITERS = {**writers.WRITERS, **(joined.JOINED if HAS_JOINTS else {})}
@@ -59,6 +60,31 @@ def test_every_kind_is_found_however_it_is_written(writer, tmp_path):
             wrong.append(name)
     assert slow == [] and too_sure == []
     assert [n for n in wrong if (n, writer) not in SAID_BY_NOTHING] == []
+
+
+UNLIKE_WAYS = {**writers.WRITERS, **spoilt.SPOILT}
+ASKED = {
+    ("plywood_router", "numbers"),
+    ("way_lathe", "numbers"),
+    ("wheel_on_board", "numbers"),
+}  # shapes say too little
+
+
+@pytest.mark.parametrize("way", ["flat", "numbers", "decorated", "link_arrays"])
+@pytest.mark.parametrize("name", unlike.UNLIKE)
+def test_unlike_machines_of_random_sizes_are_found_by_names_or_by_shapes(doc, tmp_path, name, way):
+    kind = unlike.UNLIKE[name](random.Random(1000 + len(name)))
+    UNLIKE_WAYS[way](doc, kind, tmp_path)
+    doc.recompute()
+    found = engine.propose(doc)
+    if (name, way) in ASKED:
+        assert not found.complete and found.questions
+        return
+    assert (
+        (found.structure in (kind.truth.structure, *kind.truth.either)) if kind.truth.structure else not found.complete
+    )
+    assert sorted(found.axes) == sorted(kind.truth.axes)
+    assert all(abs(found.axes[a].u @ np.array(u)) > 0.999 for a, u in kind.truth.axes.items())
 
 
 @pytest.mark.parametrize("names", [True, False])

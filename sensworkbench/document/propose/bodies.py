@@ -176,19 +176,42 @@ def separate(document: Document, made: Graph, guides: list[Guide]) -> list[Guide
     """Cut the graph at every sure guide; returns those that separate two sides."""
     used = []
     for guide in guides:
-        if guide.weight < SURE:
-            continue
-        rails, riders = guide.rails - guide.riders, guide.riders - guide.rails
-        if not rails or not riders:
-            continue
-        rest = list(rails)
-        for a, b in zip(rest, rest[1:]):
-            made.add(a, b, 3.0)  # the rails of one guide are on one body
-        for a, b in _side_by_side(guide):
-            made.add(a, b, 3.0)
-        made.cut(rails, riders)
-        used.append(guide)
+        if guide.weight >= SURE and guide.rails - guide.riders and guide.riders - guide.rails:
+            made.cut(guide.rails - guide.riders, guide.riders - guide.rails)
+            used.append(guide)
+    _bundled(made, used)
+    for guide in used:
+        made.cut(guide.rails - guide.riders, guide.riders - guide.rails)
     return used
+
+
+def _bundled(made: Graph, used: list[Guide]) -> None:
+    """The rails of one guide are on one body, and riders side by side are one carriage, unless that joins what
+    another guide separates.
+    """
+    home: dict[int, int] = {}
+    for n in {n for g in used for n in g.rails | g.riders}:
+        if n not in home:
+            for m in made.reach([n]):
+                home[m] = n
+
+    def joins(a: int, b: int) -> bool:
+        pair = {home[a], home[b]}
+        for guide in used:
+            rails = {home[n] for n in guide.rails - guide.riders} & pair
+            riders = {home[n] for n in guide.riders - guide.rails} & pair
+            if rails and riders and rails != riders:
+                return True
+        return False
+
+    for guide in used:
+        rails = sorted(guide.rails - guide.riders)
+        for a, b in (*zip(rails, rails[1:]), *((rails[0], r) for r in rails[2:]), *_side_by_side(guide)):
+            if home[a] == home[b] or not joins(a, b):
+                made.add(a, b, 3.0)
+                old, new = home[b], home[a]
+                for n in home if old != new else ():
+                    home[n] = new if home[n] == old else home[n]
 
 
 def _side_by_side(guide: Guide):
@@ -213,11 +236,18 @@ def components(made: Graph, numbers: list[int]) -> list[set[int]]:
 
 
 def adopt(
-    document: Document, bodies: list[set[int]], keep: list[bool], found: Touching, minor, size: float
+    document: Document,
+    bodies: list[set[int]],
+    keep: list[bool],
+    found: Touching,
+    minor,
+    size: float,
+    bed: int | None = None,
 ) -> list[int]:
     """Give every part outside the kept bodies to the one that it touches most, else the nearest; returns what is far.
 
-    bodies : changed in place.  keep : which of them are bodies of the machine.
+    bodies : changed in place.  keep : which of them are bodies of the machine.  bed : the one that stands; what
+    encloses most of the machine, and touches nothing, stands too.
     """
     units = document.units
     owner = {n: b for b, body in enumerate(bodies) if keep[b] for n in body}
@@ -261,6 +291,10 @@ def adopt(
             box = np.array([units[n].box for n in group])
             low, high = box[:, :3].min(0), box[:, 3:].max(0)
             gaps = np.linalg.norm(np.maximum(0, np.maximum(boxes[:, :3] - high, low - boxes[:, 3:])), axis=1)
+            if bed is not None and np.linalg.norm(high - low) > 0.5 * size:
+                for n in group:
+                    owner[n] = bed
+                continue
             near = np.flatnonzero(gaps <= gaps.min() + 1e-9)
             home = min((owned[k] for k in near), key=lambda n: units[n].size)
             if gaps.min() > 0.25 * size:

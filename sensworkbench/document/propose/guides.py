@@ -228,7 +228,10 @@ def _wheel(units, touch, a, b, names, size, found) -> None:
     bar, wheel = (a, b) if bar_first else (b, a)
     lengths = bar.size
     order = np.argsort(lengths)
-    if lengths[order[2]] < 2.0 * lengths[order[1]] or lengths[order[2]] < 3 * _diagonal(wheel):
+    if lengths[order[2]] < 2.0 * lengths[order[1]]:
+        _on_board(touch, bar_first, bar, wheel, a, b, found)
+        return
+    if lengths[order[2]] < 3 * _diagonal(wheel):
         return
     slide = _slide(touch, bar_first, np.eye(3)[order[2]], 0.55, "wheels", a, b)
     if slide is not None:
@@ -236,6 +239,25 @@ def _wheel(units, touch, a, b, names, size, found) -> None:
         if axis is not None and abs(axis @ slide.u) > 0.5:
             return
         slide.weight = 0.85 if names[0 if bar_first else 1] in ("extrusion", "rail") else 0.6
+        found.slides.append(slide)
+
+
+def _on_board(touch, board_first: bool, board, wheel, a, b, found) -> None:
+    """A wheel that stands on a board rolls across its axle."""
+    if not len(wheel.radii):
+        return
+    axis = np.abs(wheel.axes[int(np.argmax(wheel.radii))])
+    middle = (wheel.box[3:] + wheel.box[:3]) / 2
+    away = np.maximum(middle - board.box[3:], board.box[:3] - middle)
+    j = int(np.argmax(away))
+    radius = float(wheel.size[j]) / 2
+    if axis.max() < 0.999 or axis[j] > 0.5 or abs(away[j] - radius) > PLAY:
+        return
+    u = np.eye(3)[3 - j - int(np.argmax(axis))]
+    if float(board.size @ u) < 6 * radius:
+        return
+    slide = _slide(touch, board_first, u, 0.6, "wheels", a, b)
+    if slide is not None:
         found.slides.append(slide)
 
 

@@ -189,8 +189,10 @@ def _tops(doc, selection) -> list[PartPath]:
 
 
 def _consumed(obj) -> bool:
-    """Whether an object is what another one is made of."""
+    """Whether an object is what another one is made of, or stands in a group or an array of links."""
     for parent in obj.InList:
+        if obj in (getattr(parent, "ElementList", None) or ()):
+            return True
         if parent.isDerivedFrom("App::Link") or hasattr(parent, "Group") or kind_of(parent):
             continue
         if parent.TypeId in COMPOUNDS and _opened(parent):
@@ -233,13 +235,20 @@ def _without_library(found: list) -> list:
     return found
 
 
-def _walk(where: PartPath, outer: tuple, found: list, names: list) -> None:
+def _walk(where: PartPath, outer: tuple, found: list, names: list, label: str = "") -> None:
     obj = where.object
     if obj is None or kind_of(obj) or obj.TypeId in DATUM_TYPES or joints.is_joint(obj) or joints.is_ground(obj):
         return
     if len(found) > 20000:
         return
-    here = (*outer, (where.key, obj.Label))
+    here = (*outer, (where.key, label or obj.Label))
+    elements = [o for o in getattr(obj, "ElementList", None) or () if o is not None]
+    if elements:  # a group of links, or an array of them
+        names.append(obj.Label)
+        array = obj.isDerivedFrom("App::Link")
+        for number, child in enumerate(elements, 1):
+            _walk(where.child(child), here, found, names, f"{obj.Label} {number}" if array else "")
+        return
     if obj.isDerivedFrom("App::Link") or obj.isDerivedFrom("App::LinkElement"):
         linked = joints.linked(obj)
         if linked is not None and linked is not obj:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import words
+from .bodies import Graph
 from .found import State
 from .links import Chains, Link
 from .pinned import pins
@@ -48,7 +49,8 @@ def bed_scores(document: Document, bodies, places, up, said: Words, pinned: set[
         weights = {n: units[n].bulk for n in body}
         total = sum(weights.values()) or 1.0
         fixed = sum(w for n, w in weights.items() if places[n][0] in words.FIXED) / total
-        moving = sum(w for n, w in weights.items() if places[n][0] in words.MOVING or places[n][1]) / total
+        carries = {"table"} if lows[b] - floor < 0.02 * height and spread[b] > 0.9 * max(spread) else set()
+        moving = sum(w for n, w in weights.items() if places[n][0] in words.MOVING - carries or places[n][1]) / total
         score += 1.2 * fixed - 0.8 * moving
         score += 0.5 * any(places[n][0] in ("bed", "base") for n in body)
         if document.grounded & body:
@@ -68,17 +70,90 @@ def rooted(state, parts, edges, places, up, answers, source, far) -> Chains | No
     degree = {b: sum(b in pair for pair in edges) for b in inside}
     ranked = sorted(inside, key=lambda b: -(scores[b] + 0.15 * min(2, degree[b])))
     bed = ranked[0]
+    while (island := _island(edges, bed)) and source != "names":
+        root = max(island, key=lambda b: scores[b] + _holds(state, parts[b], edges, b))
+        edges = _joined(edges, root, bed)
+        parts[bed] |= parts[root]
+        parts[root] = set()
     links, again = tree(parts, edges, bed)
+    for pair in again:
+        _crossing(parts, links, pair, edges[pair])
     reading = Chains(parts, bed, links, source, far)
     reading.bed_sure = min(0.95, 0.5 + 0.4 * (scores[bed] - scores[ranked[1]])) if len(ranked) > 1 else 0.5
     reached = {bed, *(k.outer for k in links)}
-    for b in range(len(parts)):  # islands with guides of their own, and what nothing reaches, stand on the bed
+    for b in range(len(parts)):  # what nothing reaches stands on the bed
         if b not in reached and parts[b]:
             reading.merged.append((b, bed))
             parts[bed] |= parts[b]
             parts[b] = set()
     _prune(state, reading, places, answers)
     return reading
+
+
+def _crossing(parts, links: list[Link], pair, closing: Link) -> None:
+    """Two beams that cross, and a core on both: the second beam moves with the core, as one body with it.
+
+    Its guides close a loop in which every two opposite links are parallel.  Where the second beam and the core are one
+    body already, it stands on the first beam.
+    """
+    for core, beam in (pair, pair[::-1]):
+        one, other = (next((k for k in links if k.outer == b), None) for b in (core, beam))
+        if one is None or other is None or one.inner != other.inner:
+            continue
+        if not (one.guides and other.guides and closing.guides):
+            continue
+        if abs(closing.guides[0].u @ one.guides[0].u) > 0.99 and abs(closing.guides[0].u @ other.guides[0].u) < 0.1:
+            one.inner = beam
+            return
+    for core, beam in (pair, pair[::-1]):
+        second = next((k for k in links if k.outer == core), None)
+        first = next((k for k in links if second is not None and k.outer == second.inner), None)
+        other = next((k for k in links if k.outer == beam), None)
+        if first is None or other is None or other.inner != first.inner or other is first:
+            continue
+        if any(k.inner == beam for k in links) or not all(k.guides for k in (first, second, other, closing)):
+            continue
+        u, v, w, z = (k.guides[0].u for k in (first, second, other, closing))
+        if abs(u @ z) > 0.99 and abs(v @ w) > 0.99 and abs(u @ v) < 0.1:
+            parts[core] |= parts[beam]
+            parts[beam] = set()
+            links.remove(other)
+            return
+
+
+def _holds(state, body, edges, b: int) -> float:
+    """How much of an island of guides looks like what stands on the bed: it is large, and holds rails."""
+    units, guides = state.document.units, [g for pair, k in edges.items() if b in pair for g in k.guides]
+    boxes = np.array([units[n].box for n in body])
+    reach = float(np.linalg.norm(boxes[:, 3:].max(0) - boxes[:, :3].min(0))) / state.size if len(boxes) else 0.0
+    rails = [bool(g.rails & body) and not g.riders & body for g in guides]
+    return 0.5 * reach + 0.5 * (sum(rails) / len(rails) if rails else 0.0)
+
+
+def _island(edges, bed: int) -> set[int]:
+    """Some bodies that hang together by guides, but not with the bed; the largest such set."""
+    made = Graph()
+    for a, b in edges:
+        made.add(a, b, 1.0)
+    left = {b for pair in edges for b in pair} - made.reach([bed])
+    islands = []
+    while left:
+        islands.append(made.reach([next(iter(left))]))
+        left -= islands[-1]
+    return max(islands, key=len, default=set())
+
+
+def _joined(edges: dict[tuple[int, int], Link], one: int, other: int) -> dict[tuple[int, int], Link]:
+    """The edges with body `one` as a piece of body `other`."""
+    made: dict[tuple[int, int], Link] = {}
+    for pair, link in edges.items():
+        a, b = (other if n == one else n for n in pair)
+        if a == b:
+            continue
+        new = (min(a, b), max(a, b))
+        link.inner, link.outer = new
+        made.setdefault(new, link)
+    return made
 
 
 def _prune(state: State, reading: Chains, places, answers) -> None:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from . import words
 from .found import State
 from .links import Chains, Link
@@ -55,6 +57,7 @@ def sides_of(state: State, reading: Chains, branches, places, up, answers):
     if not branches[1]:
         standing = roles_of(places, document.units, reading.bodies[reading.bed])
         one -= 0.5 * bool(standing & {"tool", "quill", "toolpost"}) - 0.2
+        one -= 1.0 * (not state.said.lathe and _hangs_over(state, reading, branches[0][-1].outer, up))
         if one >= -0.2 or (len(branches[0]) > 2 and one >= -0.5):
             return [], branches[0], 0.9 if one > 0.5 else 0.6
         return branches[0], [], 0.85 if one < -0.7 else 0.6
@@ -63,6 +66,24 @@ def sides_of(state: State, reading: Chains, branches, places, up, answers):
         one, two = one + 0.4 * (heights[0] > heights[1]), two + 0.4 * (heights[1] > heights[0])
     sure = min(1.0, 0.5 + 0.4 * abs(one - two))
     return (branches[1], branches[0], sure) if one > two else (branches[0], branches[1], sure)
+
+
+def _hangs_over(state, reading: Chains, last: int, up) -> bool:
+    """Whether something solid of the bed is above the middle of a body: a tool there, and work on the body."""
+    boxes = np.array([state.document.units[n].box for n in reading.bodies[last]])
+    middle, top = (boxes[:, :3].min(0) + boxes[:, 3:].max(0)) / 2, _top(boxes, up)
+    rest = [k for k in range(3) if abs(up[k]) < 0.5]
+    for n in reading.bodies[reading.bed] - state.minor:
+        for solid in state.document.units[n].solids:
+            low, high = solid.extent(up)
+            over = np.all(solid.box[rest] < middle[rest]) and np.all(solid.box[[k + 3 for k in rest]] > middle[rest])
+            if over and high - low > 0.04 * state.size and low > top - 0.02 * state.size:
+                return True
+    return False
+
+
+def _top(boxes, up) -> float:
+    return float(max((boxes[:, :3] @ up).max(), (boxes[:, 3:] @ up).max()))
 
 
 def _height(document, body, up) -> float:

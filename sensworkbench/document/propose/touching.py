@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-TOUCH = 0.25  # mm between faces that touch
+TOUCH = 0.35  # mm between faces that touch
 SUNK = 1.2  # mm that one face may lie behind the other: fits, glue, rounding
 PLAY = 1.5  # mm between a guide and what runs on it
 ALONG = 0.03  # cosine: what looks this little along a direction does not bar it

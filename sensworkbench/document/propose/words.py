@@ -95,6 +95,7 @@ MILL = _words(
 )
 PRINTER = _words("hot ?end|extruder|nozzle|heat(ed)? ?bed|printer|drucker|filament|build ?plate|druckbett|print ?head|imprimante|"
                  "heizbett|e 3 d|bowden")  # fmt: skip
+LEVEL_HEAD = _words("laser|plasma|pen|plotter|print ?head|tool ?head|cutting head|extruder|hot ?end|druckkopf")
 DELTA = _words("delta|kossel|effector|rostock|diagonal rod|hexapod|stewart|tripod|parallel robot|tricept|hexaglide")
 ROBOT = _words("robot|robot arm|robotic|manipulator|shoulder|elbow|forearm|upper arm|wrist|scara|oberarm|unterarm|gripper|"
                "joint [1-6]|j [1-6]|link [1-6]|end effector|bras|gelenk [1-6]|로봇|机器人|ロボット")  # fmt: skip
