@@ -131,8 +131,10 @@ def mark_results(machine, inputs: str) -> None:
 
 def mark_studies(machine, core: Machine | None, arms=None) -> None:
     """Set `Stale` of the machine's further studies.  core : None where the machine cannot be computed."""
-    for obj in members(machine, "Study"):
-        put(obj, "Stale", core is None or not same(obj.Inputs, study_inputs(core, arms)))
+    found = members(machine, "Study")
+    inputs = study_inputs(core, arms) if found and core is not None else ""
+    for obj in found:
+        put(obj, "Stale", not same(obj.Inputs, inputs))
 
 
 def mark_traces(machine, core: Machine, arms=None) -> None:

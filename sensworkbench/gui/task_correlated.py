@@ -466,7 +466,7 @@ class Correlated(Command):
     menu_text = QT_TRANSLATE_NOOP("Sens_Correlated", "Correlated Tolerances…")
     tip = QT_TRANSLATE_NOOP("Sens_Correlated", "Declares errors that come from one cause, and shares for a covariance")
     guide = TaskCorrelated.guide
-    where = Where("machine", 65, tree=("Machine", "Tolerances"))
+    where = Where("machine", 55, tree=("Machine", "Tolerances"))
 
     def run(self):
         open_panel(current_machine())
