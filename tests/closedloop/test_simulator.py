@@ -15,7 +15,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from simulator import CODES, KINDS, PLANS, make_case, read_case, write_case
+from simulator import CODES, KINDS, NAMELESS, PLANS, make_case, read_case, write_case
 from simulator.effects import driver_table, lag, play
 from simulator.kinematics import COMPONENTS, SQUARENESS, Machine, exact_error, from_dict, linear_error
 from simulator.oracle import complement, declared_columns
@@ -78,6 +78,14 @@ def test_the_same_seed_gives_the_same_case_and_another_seed_another():
     assert np.array_equal(first.reading, again.reading)
     assert first.truth == again.truth
     assert first.truth != other.truth
+
+
+@pytest.mark.parametrize("kind", NAMELESS)
+def test_a_shape_without_a_name_is_known_to_the_fit_that_states_the_bound(kind):
+    case = make_case(11, kind, 1, count=220, extras=False, with_rivals=False)
+    effect = case.truth["effects"][0]
+    assert effect["shape"] == kind and effect["visible_rms_over_sigma"] > 2
+    assert case.truth["fresh_bound_um"] < 1.5 * case.truth["sigma_um"] < case.truth["effect_rms_um"]
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -4,6 +4,6 @@
 It shares no code with the package it judges: only numpy and the formats and conventions of the specification.
 """
 
-from .cases import CODES, KINDS, PLANS, Case, make_case, read_case, write_case
+from .cases import CODES, KINDS, NAMELESS, PLANS, Case, make_case, read_case, write_case
 
-__all__ = ["CODES", "KINDS", "PLANS", "Case", "make_case", "read_case", "write_case"]
+__all__ = ["CODES", "KINDS", "NAMELESS", "PLANS", "Case", "make_case", "read_case", "write_case"]

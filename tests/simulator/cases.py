@@ -46,6 +46,7 @@ NAMED = (
     "hysteresis",
 )
 KINDS = ("none", *NAMED, "two", "missing", "unlogged", "odd")
+NAMELESS = ("saturating", "delayed")  # shapes of one column that no catalogue holds
 HIDEABLE = {n: f"{n}_C" for n in ("temp_column", "temp_ambient", "temp_scale_x", "temp_scale_y", "temp_scale_z")}
 HIDEABLE["load_table"] = "load_table_kg"
 READINGS = ("ex_um", "ey_um", "ez_um")
@@ -132,8 +133,8 @@ def make_case(
     with_rivals: bool = True,
 ) -> Case:
     """One case.  `extras` lets tools, runs and a stated (right or wrong) uncertainty appear now and then."""
-    if kind not in KINDS:
-        raise ValueError(f"unknown kind {kind!r}; use one of {KINDS}")
+    if kind not in (*KINDS, *NAMELESS):
+        raise ValueError(f"unknown kind {kind!r}; use one of {(*KINDS, *NAMELESS)}")
     rng = np.random.default_rng([seed, zlib.crc32(kind.encode()), level])
     while True:
         case = _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_rivals)
@@ -160,7 +161,7 @@ def _attempt(rng, kind, level, structure, plan, sigma_um, count, extras, with_ri
     total = len(q)
     fresh_q = np.round(places("random", travel, rng, total), 3)
     sigma = 1e-3 * (sigma_um or float(rng.choice([0.2, 0.4, 0.8, 2.0], p=[0.25, 0.3, 0.3, 0.15])))
-    spindle = kind == "spindle_lag" or (extras and rng.random() < 0.1)
+    spindle = kind in ("spindle_lag", *NAMELESS) or (extras and rng.random() < 0.1)
     logged = conditions(total, rng, spindle=spindle)
     feeds = kind in ("following", "two") or rng.random() < 0.3
     columns = _file(q, directions(q), logged, vary(total, rng, feeds))
@@ -287,6 +288,8 @@ def _expected(kind: str, hidden) -> list[str]:
     """The verdicts that are right."""
     if kind == "none":
         return ["nothing_to_explain"]
+    if kind in NAMELESS:
+        return ["unexplained", "partly_explained", "explained"]
     if kind == "odd":
         return ["unexplained", "partly_explained"]
     if hidden or kind == "unlogged":

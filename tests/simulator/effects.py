@@ -105,6 +105,10 @@ def basis(effect: Effect, table: dict, scale: dict, free: dict | None = None) ->
         return (np.sign(v) * np.abs(v) ** p["exponent"])[:, None]
     if shape == "hysteresis":
         return play(v, p["width"])[:, None]
+    if shape == "saturating":
+        return np.tanh(v / p["width"])[:, None]
+    if shape == "delayed":
+        return np.interp(table["t"] - p["delay"], table["t"], v)[:, None]
     raise ValueError(shape)
 
 
@@ -162,6 +166,13 @@ def propose(kind: str, rng: np.random.Generator, travel: dict, span: float) -> l
         return one(f"E{turn}{axis}", "temp_column", "power", {"exponent": float(_pick(rng, (2.0, 2.5, 3.0)))})
     if kind == "hysteresis":
         return one(f"E{axis}{axis}", low, "hysteresis", {"width": float(rng.uniform(0.02, 0.1) * np.ptp(travel[axis]))})
+    if kind == "saturating":
+        source = _pick(rng, ("temp_column", "temp_ambient", "temp_scale_y", "spindle"))
+        widest = {"temp_column": 3.0, "temp_ambient": 1.2, "temp_scale_y": 4.0, "spindle": 12000.0}[source]
+        return one(f"E{_pick(rng, 'XYZABC')}{axis}", source, kind, {"width": float(rng.uniform(0.1, 0.4) * widest)})
+    if kind == "delayed":
+        source = _pick(rng, ("temp_column", "temp_ambient", "temp_scale_y", "spindle"))
+        return one(f"E{_pick(rng, 'XYZABC')}{axis}", source, kind, {"delay": float(rng.uniform(0.05, 0.25) * span)})
     if kind == "odd":
         name = _pick(rng, sorted(ODD))
         columns = [{"axis": low, "other": other.lower()}.get(c, c) for c in ODD[name][0]]
