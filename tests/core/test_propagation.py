@@ -109,3 +109,27 @@ def test_coverage_factors_are_those_of_table_g2(freedom, p, k):
 
 def test_degrees_of_freedom_of_exact_inputs_are_without_limit():
     assert effective_freedom([3.0, 4.0], [math.inf, math.inf]) == math.inf
+
+
+def test_derivatives_are_taken_over_a_tenth_of_a_standard_uncertainty():
+    found = derivatives(lambda x: np.array([x[0] ** 3, x[1]]), [2.0, 1.0], [0.5, 0.0])
+    assert found[0, 0] == pytest.approx(3 * 4 + 0.05**2, rel=1e-9)  # the cubic term shows the step
+    assert found.tolist()[1] == [0.0, 0.0] and found[0, 1] == 0.0  # an input without uncertainty is not moved
+
+
+@pytest.mark.parametrize("order", [(0, 1), (1, 0)])
+def test_terms_of_second_order_of_a_polynomial(order):
+    """f = 2x + 3xy + 4xy^2 + 5y^2: f_xy = 3 + 8y, f_yy = 8x + 10, f_xyy = 8, by hand."""
+    x, y, ux, uy = 0.7, -1.3, 0.2, 0.4
+    place, u = np.array([x, y])[list(order)], np.array([ux, uy])[list(order)]
+
+    def f(v):
+        a, b = v[order[0]], v[order[1]]
+        return 2 * a + 3 * a * b + 4 * a * b**2 + 5 * b**2
+
+    own = (8 * x + 10) ** 2 / 2 * uy**4
+    mixed = ((3 + 8 * y) ** 2 + (2 + 3 * y + 4 * y**2) * 8) * ux**2 * uy**2
+    assert second_order(f, place, u) == pytest.approx(own + mixed, rel=1e-9)
+    cubic = second_order(lambda v: v[0] ** 3, [2.0], [0.1])
+    slope = 3 * 4 * 0.1 + 0.1**3  # over one standard uncertainty to either side
+    assert cubic == pytest.approx((6 * 2 * 0.01) ** 2 / 2 + slope * 6 * 0.001, rel=1e-9)
