@@ -122,11 +122,15 @@ def write_text(path, text: str) -> None:
 
 @contextlib.contextmanager
 def written(path):
-    """Turn what the disk refuses within the block into a refusal of the result `path`."""
+    """Turn what the disk refuses within the block into a refusal of the result `path`.
+
+    A file in the hidden folder of a set is nothing that a user knows: the set names itself.
+    """
     try:
         yield
     except OSError as error:
-        if error.errno not in DISK and not isinstance(error, FileNotFoundError):
+        hidden = any(part.startswith(MARK) for part in Path(path).parts)
+        if hidden or (error.errno not in DISK and not isinstance(error, FileNotFoundError)):
             raise
         raise Refused("file-not-written", str(path), why=reason(error)) from None
 

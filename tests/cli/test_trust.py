@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from sensworkbench import cli
-from sensworkbench.formats import file_sets, manifest, operations
+from sensworkbench.formats import file_sets, files, manifest, operations
 from tests.formats.support import golden, write
 from tests.formats.test_exchange_fcm import mill
 from tests.formats.test_file_sets import Injector, Stopped, hidden
@@ -324,7 +324,8 @@ def test_a_full_disk_is_a_refusal_with_nothing_changed(place, capsys):
         with operations.replaced(Injector(at, "fail")):
             status = cli.main(["sensitivity", "m.json", "--at", "0,0,0", "--out", "o"])
         assert (status, seen(place / "o")) == (2, before), at
-        assert "no space left" in capsys.readouterr().err
+        said = capsys.readouterr().err
+        assert "no space left" in said and "o: " in said and files.MARK not in said, said
     assert not hidden(place)
 
 
