@@ -138,7 +138,10 @@ class PartScene:
         whole = together(fields.values()) if fields else None
         for name, mesh in self.meshes.items():
             mesh.moved = None if whole is None else whole.at(mesh.vertices)[0]
-            mesh.value = None if name not in fields else fields[name].at(mesh.vertices)[1]
+            field = fields.get(name)
+            mesh.value = None
+            if field is not None:
+                mesh.value = field.wall(mesh.vertices) if field.axial else field.at(mesh.vertices)[1]
 
     def paint(self, scale: Scale, chosen: str = "") -> None:
         """Colour the faces by their values in um; the chosen one has a bright edge of its own colour."""

@@ -22,13 +22,27 @@ DRAWN, DRAWS = 3, 16  # which draw of how many is shown as a possible part
 @dataclass(frozen=True)
 class FaceField:
     """Points (n, 3) mm of a face that are cut, in document coordinates; error (n, 3) mm there; value (n,) mm: the
-    error along the outward normal, or its expected length; signed : which of the two."""
+    error along the outward normal, or its length; signed : which of the two.  axial : of a drilled hole, whose points
+    are those of its axis."""
 
     name: str
     points: np.ndarray
     error: np.ndarray
     value: np.ndarray
     signed: bool
+    axial: bool = False
+
+    def wall(self, places) -> np.ndarray:
+        """(m,) mm, signed error of the wall of a drilled hole at places (m, 3) on it: the hole moves as its axis does,
+        and its outward normal points to the axis."""
+        moved, _ = self.at(places)
+        rows = np.argmin(((places[:, None, :] - self.points[None]) ** 2).sum(axis=2), axis=1)
+        inwards = self.points[rows] - places
+        along = self.points[-1] - self.points[0]
+        if np.linalg.norm(along) > 0:
+            along = along / np.linalg.norm(along)
+            inwards = inwards - (inwards @ along)[:, None] * along
+        return (moved * inwards).sum(axis=1) / np.maximum(np.linalg.norm(inwards, axis=1), 1e-12)
 
     def at(self, places) -> tuple[np.ndarray, np.ndarray]:
         """((m, 3) error, (m,) value) at places (m, 3)."""
@@ -66,15 +80,16 @@ def face_fields(result: PartResult, names, error=None, path=None) -> dict[str, F
         if error is not None:
             moved, normal = error[rows], path.normal[rows]
             known = np.isfinite(normal).all(axis=1)
-            value = np.where(known, (moved * np.nan_to_num(normal)).sum(axis=1), 0.0)
             signed = bool(known.any())
+            value = (moved * np.nan_to_num(normal)).sum(axis=1) if signed else np.linalg.norm(moved, axis=1)
         else:
             moved, value, signed = (
                 drawn.columns(rows) @ factors + drawn.means(rows).sum(axis=2),
                 result.expected[rows],
                 False,
             )
-        found[name] = FaceField(name, points @ back, moved @ back, value, signed)
+        axial = error is not None and not signed
+        found[name] = FaceField(name, points @ back, moved @ back, value, signed, axial)
     return found
 
 

@@ -140,3 +140,15 @@ def test_a_path_that_cuts_no_face_says_so():
     given = part_files.Given(PROGRAM, (0.0, 0.0, 0.0), {}, FACES[3:4], CUTTERS)
     made = part_files.read(machine(C0Y=20), "block.nc", given=given)
     assert made.faced.faces == () and "part-faces-none" in [m.code for m in made.source["remarks"]]
+
+
+def test_the_wall_of_a_drilled_hole_moves_as_its_axis():
+    """EXX = 30e-6 x: hole 1 at x = -20 moves by -0.6 um; its wall at +x looks to -x, so material is left there."""
+    from sensworkbench.studies.part_shape import face_fields
+
+    made = job(machine(EXX=([-300, 300], [0, 9.0])))
+    fields = face_fields(part_files.judged(made), [f.name for f in made.faced.faces])
+    hole, right = fields["hole 1"], fields["right"]
+    assert hole.axial and hole.value == pytest.approx(np.full(len(hole.value), 0.6e-3))
+    assert hole.wall(np.array([[-17.0, 30, -4], [-23, 30, -4], [-20, 33, -4]])) == pytest.approx([0.6e-3, -0.6e-3, 0])
+    assert right.signed and right.value == pytest.approx(np.full(len(right.value), 30e-6 * 56))  # the tool's middle
