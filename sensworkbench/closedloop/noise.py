@@ -14,6 +14,8 @@ import numpy as np
 
 from .readings import Readings
 
+NOISELESS = 1e-3  # of the variance of a reading: of residuals smaller than that the correlation says nothing
+
 
 @dataclass(frozen=True)
 class Memory:
@@ -127,7 +129,7 @@ def lagged(fitted, readings: Readings, lag: int) -> dict[int, float]:
     out = {}
     for k in np.unique(readings.kind).tolist():
         rows = np.flatnonzero((readings.kind == k) & (fitted.weight > 0))
-        below = float(r[rows] @ r[rows])
+        below = float(r[rows] @ r[rows]) + NOISELESS * len(rows)
         a, b = rows[lag:], rows[:-lag]
         same = run[a] == run[b]
         out[k] = float(r[a[same]] @ r[b[same]]) / below if below > 0 and same.any() else 0.0

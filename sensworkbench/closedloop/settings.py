@@ -99,7 +99,7 @@ class TraceSettings:
     refined: int = _setting(30, COUNT, "candidates whose unknown parameters are refined")
     advice: int = _setting(6, COUNT, "further measurements that are proposed")
     # readings, their noise, and those that are none
-    least_noise: float = _setting(1e-9, "mm", "of a reading: below it there is rounding only")
+    least_noise: float = _setting(1e-6, "mm", "of a reading: products of errors, which the model leaves out, reach it")
     same_tool: float = _setting(1e-3, "mm", "offsets of a tool that are nearer are the same tool, as files are written")
     outlier: float = _setting(5.0, "standard deviations", "a studentised residual beyond it is a gross outlier")
     least_free: float = _setting(0.05, SHARE, "of a reading that its leverage leaves, at least, in that test")

@@ -14,7 +14,7 @@ from sensworkbench.closedloop.trace import trace
 from sensworkbench.core.refusal import Refused
 from tests.simulator import kinematics
 
-from .support import both, declared_values, grid, scattered, session
+from .support import both, declared_values, grid, measured, scattered, session
 
 NOISE = 0.4e-3
 COUNT = 180
@@ -149,3 +149,49 @@ def test_every_setting_has_a_unit_and_a_reason():
     table = TraceSettings.table()
     assert len(table) == len({name for name, *_ in table}) > 30
     assert all(unit and reason and getattr(DEFAULT, name) == value for name, value, unit, reason in table)
+
+
+# -- readings without noise --------------------------------------------------------------------------------------------
+def exact(extra=None, count=150, seed=5):
+    """(machine, readings) of the linear model without noise; extra : symbol -> function of the columns, mm or rad."""
+    simulated, machine = both()
+    q, columns = scattered(count, seed), session(count, 1)
+    values = declared_values(simulated, q, 2)
+    for symbol, motion in (extra or {}).items():
+        values[symbol] = values.get(symbol, 0.0) + motion(columns)
+    return machine, Readings.from_vectors(q, kinematics.linear_error(simulated, q, values), columns)
+
+
+def test_readings_that_the_declared_model_gives_exactly_hold_nothing_to_explain():
+    assert trace(*exact()).verdict == "nothing_to_explain"
+
+
+def test_products_of_errors_in_readings_without_noise_are_no_structure():
+    simulated, machine = both()
+    readings = measured(simulated, scattered(80, 3), columns=session(80, 1), noise=0.0, seed=2)
+    assert trace(machine, readings).verdict == "nothing_to_explain"
+
+
+@pytest.mark.parametrize("columns", [session(50, 1), None], ids=["logged", "bare"])
+def test_one_place_read_fifty_times_alike_holds_nothing_to_explain(columns):
+    _, machine = both()
+    readings = Readings.from_vectors(np.tile([[100.0, 50.0, -20.0]], (50, 1)), np.full((50, 3), 5e-3), columns)
+    result = trace(machine, readings)
+    assert (result.verdict, result.noise.remarks) == ("nothing_to_explain", ())
+
+
+def test_an_exact_effect_without_noise_is_named():
+    result = trace(*exact({"EAX": lambda c: 8e-6 * c["temp_column"]}))
+    assert result.verdict == "explained"
+    assert [(e.effect.component, str(e.effect.driver)) for e in result.effects] == [("EAX", "temp_column")]
+    [coefficient] = result.effects[0].effect.coefficients
+    assert coefficient == pytest.approx(8e-6, rel=1e-6)
+
+
+def test_a_sine_on_one_axis_alone_is_named_on_the_body_that_moves():
+    _, machine = both()
+    x = 5.0 * np.arange(80) - 200
+    error = np.full((80, 3), np.nan)
+    error[:, 0] = np.round(np.sin(np.arange(80)), 6) * 1e-3
+    result = trace(machine, Readings.from_vectors(np.stack([x, 0 * x, 0 * x - 200], axis=1), error))
+    assert [(e.effect.component, e.effect.shape.name) for e in result.effects] == [("EXX", "periodic")]
