@@ -90,8 +90,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Abbe offset here: {offset} mm</source>
-      <translation>Abbe-Abstand hier: {offset} mm</translation>
+      <source>Abbe offset here: {offset}</source>
+      <translation>Abbe-Abstand hier: {offset}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -215,8 +215,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
-      <source>At {positions} mm</source>
-      <translation>Bei {positions} mm</translation>
+      <source>At {positions} {unit}</source>
+      <translation>Bei {positions} {unit}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1580,8 +1580,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Reference point: {vector} mm ({source})</source>
-      <translation>Bezugspunkt: {vector} mm ({source})</translation>
+      <source>Reference point: {vector} ({source})</source>
+      <translation>Bezugspunkt: {vector} ({source})</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -2150,8 +2150,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>The tool reaches {length} mm past this point.</source>
-      <translation>Das Werkzeug reicht {length} mm über diesen Punkt hinaus.</translation>
+      <source>The tool reaches {length} past this point.</source>
+      <translation>Das Werkzeug reicht {length} über diesen Punkt hinaus.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -3115,13 +3115,13 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>scale of {name} moved by {offset} mm</source>
-      <translation>Maßstab von {name} um {offset} mm verschoben</translation>
+      <source>scale of {name} moved by {offset}</source>
+      <translation>Maßstab von {name} um {offset} verschoben</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
-      <source>slice at {axis} = {position} mm</source>
-      <translation>Schnitt bei {axis} = {position} mm</translation>
+      <source>slice at {axis} = {position}</source>
+      <translation>Schnitt bei {axis} = {position}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -3397,11 +3397,6 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>{name}: rms {rms} µm, largest {largest} µm</source>
       <translation>{name}: Effektivwert {rms} µm, größter {largest} µm</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/pointers.py" />
-      <source>{name}: {low} … {high} mm</source>
-      <translation>{name}: {low} … {high} mm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />

@@ -90,8 +90,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Abbe offset here: {offset} mm</source>
-      <translation>현재 아베 오프셋: {offset} mm</translation>
+      <source>Abbe offset here: {offset}</source>
+      <translation>현재 아베 오프셋: {offset}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -215,8 +215,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/texts.py" />
-      <source>At {positions} mm</source>
-      <translation>위치 {positions} mm</translation>
+      <source>At {positions} {unit}</source>
+      <translation>위치 {positions} {unit}</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/review_settings.py" />
@@ -1580,8 +1580,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_machine.py" />
-      <source>Reference point: {vector} mm ({source})</source>
-      <translation>기준점: {vector} mm ({source})</translation>
+      <source>Reference point: {vector} ({source})</source>
+      <translation>기준점: {vector} ({source})</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/pointers.py" />
@@ -2150,8 +2150,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_assembly.py" />
-      <source>The tool reaches {length} mm past this point.</source>
-      <translation>공구가 이 점을 {length} mm 지나 뻗어 있습니다.</translation>
+      <source>The tool reaches {length} past this point.</source>
+      <translation>공구가 이 점보다 {length} 더 나와 있습니다.</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_trace.py" />
@@ -3115,13 +3115,13 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/whatif.py" />
-      <source>scale of {name} moved by {offset} mm</source>
-      <translation>{name} 스케일을 {offset} mm 이동</translation>
+      <source>scale of {name} moved by {offset}</source>
+      <translation>{name} 스케일을 {offset} 옮김</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/errormap.py" />
-      <source>slice at {axis} = {position} mm</source>
-      <translation>{axis} = {position} mm 단면</translation>
+      <source>slice at {axis} = {position}</source>
+      <translation>{axis} = {position} 단면</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_readings.py" />
@@ -3397,11 +3397,6 @@
       <location filename="../../sensworkbench/gui/residuals.py" />
       <source>{name}: rms {rms} µm, largest {largest} µm</source>
       <translation>{name}: rms {rms} µm, 최대 {largest} µm</translation>
-    </message>
-    <message>
-      <location filename="../../sensworkbench/gui/pointers.py" />
-      <source>{name}: {low} … {high} mm</source>
-      <translation>{name}: {low} … {high} mm</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />

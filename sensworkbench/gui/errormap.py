@@ -21,7 +21,7 @@ from .dragging import Click
 from .legend import Legend, LegendText, unbounded
 from .looks import MAP_SHOWS, POINTS, sliced
 from .qt import translate
-from .texts import fixed, position_words, shown_unit
+from .texts import fixed, length, position_words, shown_unit
 
 EXPECTED, WORST = MAP_SHOWS
 NEAR = 14  # pixels from a point of the map that a click may be
@@ -139,9 +139,9 @@ class ErrorMap:
         self._form.whichChild = 1 if form != POINTS and len(where) == FINE * FINE else 0  # a line is drawn as points
         words = translate("Sens", "tool point over the workspace")
         if form != POINTS:
-            words = translate("Sens", "slice at {axis} = {position} mm").format(axis=sliced(form), position=f"{at:g}")
+            words = translate("Sens", "slice at {axis} = {position}").format(axis=sliced(form), position=length(at))
         short = "√E[Y]" if what == EXPECTED else "E + 2σ"
-        note = "" if form == POINTS else f"{sliced(form)} = {at:g} mm"
+        note = "" if form == POINTS else f"{sliced(form)} = {length(at)}"
         self._text = LegendText(title(objective, what), unit, words, short=short, note=note)
 
     def _clicked(self, x: float, y: float, project) -> None:

@@ -16,7 +16,8 @@ from ..document.propose.reading import Document
 from .qt import QtGui, usual_cursor
 
 PATIENCE = 0.8  # s before the panel is opened on what is known
-TURN = 0.04  # s of looking between two turns of the event loop
+TURN = 0.1  # s of looking between two turns of the event loop, at least
+SHARE = 3.0  # and so many times what the last turn took: a scene that is slow to draw must not stop the look
 
 
 class Look:
@@ -25,6 +26,7 @@ class Look:
     def __init__(self, open_panel):
         self._open, self.panel = open_panel, None
         self._start = self._turned = time.monotonic()
+        self._took = 0.0  # s of the last turn
         self._names = None  # what names alone say, once they are read
 
     def run(self, doc, selection):
@@ -55,11 +57,12 @@ class Look:
                 self.panel = self._open(self._names() if self._names is not None else Found(document=Document([])))
                 self.panel.guess.look(0.0)
                 QtGui.QApplication.processEvents()
-        elif self.panel is not None and now - self._turned > TURN and not self.panel.over:
+        elif self.panel is not None and now - self._turned > max(TURN, SHARE * self._took) and not self.panel.over:
             self.panel.guess.look(done / max(total, 1))
             with usual_cursor():
                 QtGui.QApplication.processEvents()
         else:
             return False
         self._turned = time.monotonic()
+        self._took = self._turned - now
         return self.panel.over or self.panel.guess.stopped

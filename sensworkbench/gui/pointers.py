@@ -14,7 +14,7 @@ from ..document.base import kind_of
 from . import state
 from .arrows import AXIS_COLOURS, OFFSET_COLOUR, POINT_COLOUR, TOOL_COLOUR, Arrow
 from .qt import translate
-from .texts import body_name, length, point_text
+from .texts import body_name, length, point_text, span_text
 
 UP = App.Vector(-1, 1, 2)  # upwards on the screen in the isometric view
 OTHER_COLOUR = (0.45, 0.40, 0.15)  # of axes of other names
@@ -48,7 +48,7 @@ def arrows(machine, bodies, *, detail: bool = True, offsets: bool = True) -> lis
             sign = -1 if body in machine.WorkpieceChain else 1
             a = start + obj.Direction * (sign * (low - here))
             b = start + obj.Direction * (sign * (high - here))
-            text = translate("Sens", "{name}: {low} … {high} mm").format(name=name, low=f"{low:g}", high=f"{high:g}")
+            text = f"{name}: {span_text(low, high)}"
             if sign < 0:  # the carriage of a workpiece goes the other way than the tool on it
                 text += "\n" + translate("Sens", "for +{name} the table moves to −{name}").format(name=body)
             higher = 1.0 if (b - a).dot(UP) >= 0 else 0.0  # that of the reference point stands below it

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from . import settings
 from .qt import Qt, QtGui, translate
+from .texts import length_unit
 
 
 class PreferencePage:
@@ -129,6 +130,53 @@ def number_box(low: float, high: float, decimals: int = 3, step: float = 0.05, s
     box.setAlignment(Qt.AlignRight)
     box.setMinimumWidth(64)  # Qt would make room for the longest possible number
     return box
+
+
+class LengthBox(QtGui.QDoubleSpinBox):
+    """A field for a length: its value is in mm, it shows and reads the unit that FreeCAD's preferences want."""
+
+    def __init__(self, low: float, high: float, decimals: int, step: float):
+        super().__init__()
+        self._asked = decimals, step
+        self._take_unit()
+        self.setRange(low, high)
+        self.setSuffix(f" {self.unit}")
+        self.setAlignment(Qt.AlignRight)
+        self.setMinimumWidth(64)
+
+    def _take_unit(self) -> None:
+        self.unit, self.size = length_unit()
+        (decimals, step), metric = self._asked, self.unit == "mm"
+        self.setDecimals(decimals if metric else decimals + 2)
+        self.setSingleStep(step if metric else self.size * max(0.05, round(step / self.size, 1)))
+
+    def showEvent(self, event):
+        """Qt: the preferences may have changed since it was shown last."""
+        if (self.unit, self.size) != length_unit():
+            self._take_unit()
+            if self.suffix():
+                self.setSuffix(f" {self.unit}")
+        super().showEvent(event)
+
+    def textFromValue(self, value):
+        """Qt: the number without its unit."""
+        return (
+            self.locale()
+            .toString(value / self.size, "f", self.decimals())
+            .replace(self.locale().groupSeparator() or "\0", "")
+        )
+
+    def valueFromText(self, text):
+        """Qt: the length in mm of a text, its unit apart."""
+        number, good = self.locale().toDouble(
+            text.removeprefix(self.prefix()).replace(self.suffix() or "\0", "").strip()
+        )
+        return number * self.size if good else self.value()
+
+
+def length_box(low: float, high: float, decimals: int = 3, step: float = 10.0) -> LengthBox:
+    """A field for a length; low, high, step and its value are in mm."""
+    return LengthBox(low, high, decimals, step)
 
 
 def read_field(field):

@@ -9,7 +9,7 @@ from __future__ import annotations
 from ..document.propose.pinned import pins
 from ..messages import Message
 from . import pointers
-from .preferences import number_box
+from .preferences import length_box
 from .proposal import Shown, language, selected_links
 from .qt import Qt, QtGui, translate
 from .texts import body_kind
@@ -141,7 +141,7 @@ class ProposalNote(QtGui.QFrame):
             self._button(Message("propose-choice-yes").text(language()), lambda: self._say("bed", part))
         elif question.kind == "travel":
             name = question.name.partition(":")[2]
-            low, high = (number_box(-1e6, 1e6, 1, 10, " mm") for _ in range(2))
+            low, high = (length_box(-1e6, 1e6, 1) for _ in range(2))
             for box, value in zip((low, high), self.proposal.found.axes[name].travel):
                 box.setValue(value)
                 self._fields.addWidget(box, 1)

@@ -21,6 +21,7 @@ from .preferences import (
     colour_by_choices,
     combo,
     corner_choices,
+    length_box,
     number_box,
     read_field,
     write_field,
@@ -60,7 +61,7 @@ class Settings(QtGui.QScrollArea):
         self.count = QtGui.QSpinBox()
         self.count.setRange(1, 120)
         self.count.setToolTip(translate("Sens", "Positions per axis"))
-        self.at = [number_box(-1e5, 1e5, 3, 10, " mm") for _ in range(MOST_JOINTS)]
+        self.at = [length_box(-1e5, 1e5) for _ in range(MOST_JOINTS)]
         at = QtGui.QHBoxLayout()
         for box in self.at:
             at.addWidget(box, 1)
@@ -116,7 +117,7 @@ class Settings(QtGui.QScrollArea):
         self.map_slider.setToolTip(translate("Sens", "Moves the slice along its axis"))
         self.map_slider.valueChanged.connect(self._slid)
         self.map_slider.sliderReleased.connect(lambda: self._slid(self.map_slider.value()))
-        self.map_at = number_box(-1e5, 1e5, 1, 10, " mm")
+        self.map_at = length_box(-1e5, 1e5, 1)
         shows = QtGui.QHBoxLayout()
         shows.addWidget(self.map)
         shows.addWidget(self.map_shows, 1)

@@ -20,7 +20,7 @@ from .panel import show as show_panel
 from .preferences import combo
 from .qt import QT_TRANSLATE_NOOP, QtGui, translate
 from .sources import vector_words
-from .texts import point_text
+from .texts import length, point_text
 
 
 def found(doc) -> list:
@@ -113,8 +113,8 @@ class TaskAssembly(Panel):
         if self.tip.moved:
             words.append(translate("Sens", "The middle of the far end was taken for the side."))
         if self.tip.beyond > 0.5:
-            text = translate("Sens", "The tool reaches {length} mm past this point.")
-            words.append(text.format(length=f"{self.tip.beyond:.1f}"))
+            text = translate("Sens", "The tool reaches {length} past this point.")
+            words.append(text.format(length=length(self.tip.beyond)))
         self.point.setText("\n".join(words))
 
     def _chosen(self):

@@ -20,9 +20,9 @@ from .command import Command, Where, command
 from .current import current_machine
 from .panel import Panel
 from .panel import show as show_panel
-from .preferences import number_box
+from .preferences import length_box
 from .qt import QT_TRANSLATE_NOOP, Qt, QtCore, QtGui, translate
-from .texts import body_name, fixed, length, length_unit
+from .texts import body_name, fixed, length, length_unit, span_text
 
 STEPS = 1000
 NEAR = 0.01  # mm from the clicked point that count as reached
@@ -78,10 +78,10 @@ class TaskJog(Panel):
             slider = QtGui.QSlider(Qt.Horizontal)
             slider.setRange(0, STEPS)
             slider.setPageStep(STEPS // 20)
-            slider.setToolTip(f"{low:g} … {high:g} mm")
-            number = number_box(low, high, 3, max(1.0, round((high - low) / 100)), " mm")
+            slider.setToolTip(span_text(low, high))
+            number = length_box(low, high, 3, max(1.0, round((high - low) / 100)))
             number.setKeyboardTracking(False)
-            number.setToolTip(f"{low:g} … {high:g} mm")
+            number.setToolTip(span_text(low, high))
             grid.addWidget(QtGui.QLabel(axis.Label), i, 0)
             grid.addWidget(slider, i, 1)
             grid.addWidget(number, i, 2)

@@ -27,11 +27,11 @@ from .panel import Panel
 from .panel import rows as form_rows
 from .panel import show as show_panel
 from .picking import Picks
-from .preferences import combo, number_box, read_field, write_field
+from .preferences import combo, length_box, read_field, write_field
 from .proposal_note import ProposalNote
 from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .sources import Source, along_choices, reference_choices, source_words, vector_words
-from .texts import body_kind, point_text
+from .texts import body_kind, length, point_text
 from .trial import Trial
 
 MOST_LISTED = 4  # axes: of more the structures are too many for a list
@@ -279,7 +279,7 @@ class TaskMachine(Panel):
         self.at.currentIndexChanged.connect(lambda *_: self._set_on_body("ReferenceAt", read_field(self.at)))
         rows.addRow(translate("Sens", "Reference from"), self.reference)
         rows.addRow("", self.at)
-        self.lower, self.upper = (number_box(-1e6, 1e6, 3, 10, " mm") for _ in range(2))
+        self.lower, self.upper = (length_box(-1e6, 1e6) for _ in range(2))
         for box in (self.lower, self.upper):
             box.setMinimumWidth(60)
         for box, name in ((self.lower, "TravelLower"), (self.upper, "TravelUpper")):
@@ -381,17 +381,17 @@ class TaskMachine(Panel):
             words = translate("Sens", "Direction: {vector} ({source})")
             source = messages.stored(owner.DirectionFrom)
             lines.append(words.format(vector=vector_words(owner.Direction, 4), source=source))
-        words = translate("Sens", "Reference point: {vector} mm ({source})")
+        words = translate("Sens", "Reference point: {vector} ({source})")
         source = messages.stored(owner.ReferenceFrom)
-        lines.append(words.format(vector=vector_words(owner.ReferencePoint, 2), source=source))
-        offset = " ".join(f"{k.lower()} {getattr(owner, f'AbbeOffset{k}').Value:.2f}" for k in "XYZ")
-        lines.append(translate("Sens", "Abbe offset here: {offset} mm").format(offset=offset))
+        lines.append(words.format(vector=point_text(owner.ReferencePoint, 2), source=source))
+        offset = point_text([getattr(owner, f"AbbeOffset{k}").Value for k in "XYZ"], 2)
+        lines.append(translate("Sens", "Abbe offset here: {offset}").format(offset=offset))
         return "\n".join(lines)
 
     def _skew_words(self) -> str:
         machine = self.machine
         skew = {pair: float(angle) for pair, angle in machine.Skew.items()}
-        off = [f"{pair} {angle:+.3f}°" for pair, angle in skew.items() if abs(angle) > 1e-6]
+        off = [f"{pair} {angle:+.3f}°" for pair, angle in skew.items() if abs(angle) > 5e-4]
         return translate("Sens", "Not square as designed: {pairs}").format(pairs=", ".join(off)) if off else ""
 
     # -- changing ----------------------------------------------------------------------------------------------------
@@ -535,8 +535,8 @@ class TaskMachine(Panel):
         if found.moved:  # of a file from before the end was taken
             lines.append(translate("Sens", "This is the middle of a side, not its end: take it again."))
         elif found.beyond > 0.5:
-            words = translate("Sens", "The tool reaches {length} mm past this point.")
-            lines.append(words.format(length=f"{found.beyond:.1f}"))
+            words = translate("Sens", "The tool reaches {length} past this point.")
+            lines.append(words.format(length=length(found.beyond)))
         return "\n".join(lines)
 
     def _take_direction(self):

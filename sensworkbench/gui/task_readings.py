@@ -21,7 +21,7 @@ from .current import current_machine, current_table
 from .panel import Panel
 from .panel import rows as form_rows
 from .panel import show as show_panel
-from .preferences import combo, number_box
+from .preferences import combo, length_box
 from .qt import QT_TRANSLATE_NOOP, QtCore, QtGui, translate
 
 COLUMN, USE, UNIT, VALUE = range(4)
@@ -139,7 +139,7 @@ class TaskReadings(Panel):
         rows.setContentsMargins(0, 0, 0, 0)
         self.constants, self._labels = {}, {}
         for axis in "xyz":
-            number = number_box(-1e6, 1e6, 3, 10.0, " mm")
+            number = length_box(-1e6, 1e6)
             number.valueChanged.connect(self._later)
             label = QtGui.QLabel(translate("Sens", "{axis} is in no column; it stood at").format(axis=axis.upper()))
             rows.addRow(label, number)

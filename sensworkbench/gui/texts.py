@@ -111,6 +111,12 @@ def point_text(point, digits: int = 1) -> str:
     return "   ".join(f"{k} {fixed(v / size, more)}" for k, v in zip("xyz", tuple(point))) + f" {unit}"
 
 
+def span_text(low: float, high: float) -> str:
+    """Two lengths in mm as the preferences want them, from … to, with the unit once."""
+    unit, size = length_unit()
+    return f"{low / size:.6g} … {high / size:.6g} {unit}"
+
+
 def distribution_name(name: str) -> str:
     """Return the name of a distribution, in words."""
     return {
@@ -151,8 +157,10 @@ def positions_text(result) -> str:
 
 def position_words(position: dict[str, str]) -> str:
     """Return one position of the axes in words.  position : name of an axis -> its value in mm, as text."""
-    places = ", ".join(f"{name} {value}" for name, value in position.items())
-    return translate("Sens", "At {positions} mm").format(positions=places)
+    unit, size = length_unit()
+    shown = position if size == 1.0 else {k: plain(float(v) / size, 5) for k, v in position.items()}
+    places = ", ".join(f"{name} {value}" for name, value in shown.items())
+    return translate("Sens", "At {positions} {unit}").format(positions=places, unit=unit)
 
 
 def objective_text(result) -> str:

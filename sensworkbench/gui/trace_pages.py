@@ -20,7 +20,7 @@ from . import plots
 from .finding_words import all_said, language, said
 from .messages import words
 from .qt import Qt, QtCore, QtGui, translate
-from .texts import body_name, error_meaning
+from .texts import body_name, error_meaning, fixed, length_unit
 
 PAGES = ("Result", "Findings", "BeforeAfter", "Next", "Fit")
 _COLOURS = {
@@ -404,9 +404,13 @@ def fit_page(fit):
             parts.append(heading(translate("Sens", "Not told apart by this plan")))
             parts.append(bullets(m.text(language()) for m in fit["null_space"]))
         if fit["outliers"]:
-            rows = [(o["line"] or "–", *(f"{v:.3f}" for v in o["position_mm"])) for o in fit["outliers"][:30]]
+            unit, size = length_unit()
+            digits = 3 if unit == "mm" else 5
+            rows = [
+                (o["line"] or "–", *(fixed(v / size, digits) for v in o["position_mm"])) for o in fit["outliers"][:30]
+            ]
             parts.append(heading(translate("Sens", "Gross outliers, left out")))
-            parts.append(table(["#" + translate("Sens", "Line"), "#X / mm", "#Y / mm", "#Z / mm"], rows))
+            parts.append(table(["#" + translate("Sens", "Line"), *(f"#{k} / {unit}" for k in "XYZ")], rows))
         rows = [
             (
                 words(title) if isinstance(title, Message) else title,

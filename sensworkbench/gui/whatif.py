@@ -19,11 +19,21 @@ from ..document.refresh import components
 from . import display, live, messages, state
 from .bars import percent
 from .copying import copyable
-from .preferences import combo, number_box
+from .preferences import combo, length_box, number_box
 from .qt import Qt, QtGui, Signal, translate
 from .ranking import NumericItem, angular
 from .scenarios import Scenario, ScenarioList
-from .texts import body_name, limits, mean_name, meaning, plain, short_name, shown_size
+from .texts import (
+    body_name,
+    length_unit,
+    limits,
+    mean_name,
+    meaning,
+    plain,
+    point_text,
+    short_name,
+    shown_size,
+)
 
 ERROR, FACTOR, BEFORE, AFTER, MOVE, NEW, OWNER, MEANING = range(8)
 SYMBOL = Qt.UserRole + 2  # the error of a row, its component in the column of components
@@ -173,15 +183,16 @@ class WhatIf(QtGui.QWidget):
         self.axis.setToolTip(tip)
         self.axis.currentIndexChanged.connect(self._show_shift)
         row.addWidget(self.axis)
-        self.shift = [number_box(-1e5, 1e5, 1, 10) for _ in range(3)]
+        self.shift = [length_box(-1e5, 1e5, 1) for _ in range(3)]
         for letter, box in zip("xyz", self.shift):
             box.setPrefix(f"{letter} ")
+            box.setSuffix("")
             box.setToolTip(tip)
             box.setButtonSymbols(QtGui.QAbstractSpinBox.NoButtons)
             box.setKeyboardTracking(False)
             box.valueChanged.connect(self._shifted)
             row.addWidget(box, 1)
-        row.addWidget(QtGui.QLabel("mm"))
+        row.addWidget(QtGui.QLabel(length_unit()[0]))
         return row
 
     def _show_shift(self, *_) -> None:
@@ -234,7 +245,7 @@ class WhatIf(QtGui.QWidget):
             return
         unit, size = shown_size(self.then.objective, self.then.mean_square)
         words = [f"{short_name(self.machine, s)} × {plain(f)}" for s, f in self.changes.items()]
-        words += [f"{name} ({', '.join(plain(v) for v in by)}) mm" for name, by in self.moved.items()]
+        words += [f"{name} ({point_text(by)})" for name, by in self.moved.items()]
         weights = tuple(box.value() for box in self.weights)
         if self._weights_changed():
             words.append(f"{translate('Sens', 'Weights')} {', '.join(map(plain, weights))}")
@@ -403,8 +414,8 @@ class WhatIf(QtGui.QWidget):
             colour = "#3f7d3a" if new <= limit else "#c0392b"
             text += f" · <b style='color:{colour}'>{words}</b> ({limit:g} µm)"
         for name, offset in self.moved.items():
-            words = translate("Sens", "scale of {name} moved by {offset} mm")
-            text += "<br>" + words.format(name=name, offset="(" + ", ".join(f"{v:g}" for v in offset) + ")")
+            words = translate("Sens", "scale of {name} moved by {offset}")
+            text += "<br>" + words.format(name=name, offset=point_text(offset))
         return text
 
     def apply(self) -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import io
 
+import FreeCAD as App
 import FreeCADGui as Gui
 import numpy as np
 import pytest
@@ -169,3 +170,22 @@ def test_lengths_follow_the_units_of_freecad(machine):
         assert texts.point_text((25.4, 0.0, -50.8)) == "x 1.000   y 0.000   z -2.000 in"
     finally:
         App.Units.setSchema(old)
+
+
+@pytest.mark.parametrize("schema, shown, typed, lies", [(0, "120.5", "80", 80.0), (3, "4.74", "2", 50.8)])
+def test_lengths_are_shown_and_read_as_the_preferences_say(machine, schema, shown, typed, lies):
+    from sensworkbench.gui.preferences import length_box
+    from sensworkbench.gui.texts import span_text
+
+    App.Units.setSchema(schema)
+    try:
+        box = length_box(-500.0, 500.0, 1)
+        box.setValue(120.5)
+        assert box.value() == 120.5 and box.cleanText().startswith(shown)
+        assert box.suffix() == (" mm" if schema == 0 else " in")
+        box.lineEdit().setText(typed + box.suffix())
+        box.interpretText()
+        assert box.value() == pytest.approx(lies)
+        assert span_text(-50.8, 127) == ("-50.8 … 127 mm" if schema == 0 else "-2 … 5 in")
+    finally:
+        App.Units.setSchema(0)

@@ -424,7 +424,7 @@ def test_a_scale_is_moved_in_mind_then_in_the_document(machine, machine_doc):
     then = dict(zip(tab.then.symbols, tab.then.total))
     result = tree.sensitivity_of(machine)
     assert then["EBY"] < dict(zip(result.Symbols, result.Total))["EBY"]  # a shorter arm, a smaller index
-    assert "scale of Y moved by (0, 0, 150) mm" in tab.summary.text()
+    assert "scale of Y moved by x 0.0   y 0.0   z 150.0 mm" in tab.summary.text()
     rows = [tab.table.topLevelItem(i) for i in range(tab.table.topLevelItemCount())]
     assert {r.text(0) for r in rows if r.text(1) == "scale moved"} == {s for s, o in zip(result.Symbols, result.Owners)
                                                                        if o == "Y"}  # fmt: skip

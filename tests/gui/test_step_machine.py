@@ -228,6 +228,7 @@ def during_the_look(monkeypatch, act):
     """The panel opens at once, and `act(panel)` is done as soon as the names are read."""
     monkeypatch.setattr(looking, "PATIENCE", 0.0)
     monkeypatch.setattr(looking, "TURN", 0.0)
+    monkeypatch.setattr(looking, "SHARE", 0.0)
     read = looking.Look.read
 
     def then(self, names):
