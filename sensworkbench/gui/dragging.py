@@ -9,6 +9,11 @@ from pivy import coin
 STILL = 4  # pixels that the mouse may move in a click
 
 
+def _pixels(pair) -> tuple[int, int]:
+    """The two numbers of Coin's vector of short integers, whose getValue() is a bare pointer in newer pivy."""
+    return int(pair[0]), int(pair[1])
+
+
 class Drag:
     """A picture that is dragged.  `node` goes into the scene graph.
 
@@ -27,7 +32,7 @@ class Drag:
         event = node.getEvent()
         if event.getButton() != coin.SoMouseButtonEvent.BUTTON1:
             return
-        x, y = event.getPosition().getValue()
+        x, y = _pixels(event.getPosition())
         if event.getState() == coin.SoButtonEvent.DOWN:
             if self._inside(x, y):
                 self._last, self._far = (x, y), 0
@@ -42,7 +47,7 @@ class Drag:
     def _motion(self, _data, node) -> None:
         if self._last is None:
             return
-        x, y = node.getEvent().getPosition().getValue()
+        x, y = _pixels(node.getEvent().getPosition())
         dx, dy = x - self._last[0], y - self._last[1]
         self._last, self._far = (x, y), self._far + abs(dx) + abs(dy)
         node.setHandled()
@@ -65,10 +70,11 @@ class Click:
         event = node.getEvent()  # FreeCAD hands on only that the button goes down: what follows is its selection
         if event.getButton() != coin.SoMouseButtonEvent.BUTTON1 or event.getState() != coin.SoButtonEvent.DOWN:
             return
-        at = event.getPosition().getValue()
+        at = _pixels(event.getPosition())
         state = node.getAction().getState()
-        matrix = np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue())
-        width, height = coin.SoViewportRegionElement.get(state).getViewportSizePixels()
+        found = coin.SoViewVolumeElement.get(state).getMatrix()
+        matrix = np.array([[found[i][k] for k in range(4)] for i in range(4)])
+        width, height = _pixels(coin.SoViewportRegionElement.get(state).getViewportSizePixels())
 
         def project(points):
             flat = np.hstack([points, np.ones((len(points), 1))]) @ matrix

@@ -47,7 +47,9 @@ class Look:
         """The parts are read: what their names say is shown until their shapes are known."""
         self._names = names
         if self.panel is not None and not self.panel.over:
-            self.panel.looked(names(self.panel.guess.answers), last=False)
+            found = names(self.panel.guess.answers)
+            if found.axes:  # else the panel shows as much already
+                self.panel.looked(found, last=False)
 
     def step(self, done: float, total: float) -> bool:
         """`progress` of the engine: true where the person stopped the look, or the panel is gone."""

@@ -150,3 +150,19 @@ def test_parts_that_a_person_gives_to_an_axis_are_that_axis(doc):
 def test_names_of_parts(label, role, kind, letter, length):
     got = (words.role(label), words.hardware(label), words.letter(label), words.length(label))
     assert got == (role, kind, letter, length)
+
+
+def test_time_that_a_caller_takes_between_steps_is_not_taken_from_the_look(doc, tmp_path):
+    import time
+
+    plain.wooden_router(doc, tmp_path)
+    whole = engine.propose(doc)
+    waits = []
+
+    def wait(*_):
+        waits.append(time.sleep(0.6 if len(waits) < 4 else 0.0))
+
+    found = engine.propose(doc, progress=wait, early=lambda make: time.sleep(1.0), seconds=1.0)
+    assert sum(w is None for w in waits) > 3 and found.seconds < 4 * 0.6
+    assert (found.structure, found.document.sampled) == (whole.structure, 0) == ("FYXZ", 0)
+    assert [found.axes[a].confidence for a in "XYZ"] == [whole.axes[a].confidence for a in "XYZ"]

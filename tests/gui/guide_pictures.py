@@ -16,7 +16,7 @@ import pytest
 
 from sensworkbench.document import closed_loop, extract
 from sensworkbench.gui import review, task_machine, task_readings, task_trace
-from sensworkbench.gui.qt import QtGui, pump
+from sensworkbench.gui.qt import Qt, QtGui, pump
 from sensworkbench.gui.state import of as state_of
 
 from ..document import simulated
@@ -33,7 +33,8 @@ def save(name: str, monkeypatch) -> None:
     monkeypatch.setattr(conftest, "SCREENS", IMAGES / "made")
     pump(400)
     made = conftest.screenshot(name)
-    image = QtGui.QImage(str(made)).convertToFormat(QtGui.QImage.Format_Indexed8)
+    plain = Qt.ThresholdDither | Qt.AvoidDither  # dots of other colours make large files
+    image = QtGui.QImage(str(made)).convertToFormat(QtGui.QImage.Format_Indexed8, plain)
     assert image.save(str(IMAGES / f"guide-{name}.png"))
     made.unlink()
     made.parent.rmdir()

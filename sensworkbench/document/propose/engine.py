@@ -41,18 +41,25 @@ def propose(doc, selection=(), answers=None, progress=None, seconds: float = SEC
     joints alone propose.
     """
     start = time.monotonic()
+    away = 0.0  # s in `progress` and `early`, which are no part of the look
 
     def watch(done, total):
-        if progress is not None and progress(done, total):
+        nonlocal away
+        before = time.monotonic()
+        stop = progress is not None and progress(done, total)
+        away += time.monotonic() - before
+        if stop:
             raise Cancelled
         return False
 
     document = read(doc, selection, 0.6 * seconds, lambda n, total: watch(0.5 * n, total))
     if early is not None:
+        before = time.monotonic()
         early(lambda said=None: weigh(glance(document, doc.Label), said))
-    state = look(document, doc.Label, watch, max(start + LIMIT - 1.0, time.monotonic() + 2.0))
+        away += time.monotonic() - before
+    state = look(document, doc.Label, watch, max(start + away + LIMIT - 1.0, time.monotonic() + 2.0))
     found = weigh(state, answers)
-    found.seconds = time.monotonic() - start
+    found.seconds = time.monotonic() - start - away
     return found
 
 

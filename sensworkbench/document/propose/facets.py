@@ -96,6 +96,14 @@ class Looker:
         self.known: dict[tuple, list] = {}
         self.sampled = 0
 
+    def wait(self, function):
+        """Call function() and return its answer; the time that it takes is not time of looking."""
+        thread, clock = time.thread_time(), time.monotonic()
+        answer = function()
+        self.until += time.thread_time() - thread
+        self.deadline += time.monotonic() - clock
+        return answer
+
     def solids(self, shape, turn: App.Placement | None = None) -> list[Solid]:
         """The solids of a shape, in its own place, seen in the frame that `turn` leads to.
 

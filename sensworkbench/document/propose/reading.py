@@ -155,7 +155,7 @@ def _looked_at(found, names, seconds: float, progress) -> Document:
     order = sorted(range(len(found)), key=lambda n: _faces(found[n][0]))  # rails and blocks before motors and castings
     looks: list[list[Solid]] = [[] for _ in found]
     for done, n in enumerate(order):
-        if progress is not None and progress(done, len(found)):
+        if progress is not None and looker.wait(lambda done=done: progress(done, len(found))):
             break
         looks[n] = _solids(found[n][0], looker)
     units = _units(found, looks)
