@@ -16,6 +16,7 @@
 # make coverage  branches of core and of the rest that the plain tests take, file by file
 # make mutation  small faults made one at a time: how many the tests find (LAYER=core|closedloop, SAMPLE=N, MINUTES=N)
 # make screens  a picture of every panel on each FreeCAD that is there: three sizes of screen, light and dark, in build/screens/
+# make pictures  the pictures of docs/guide.md, as the window shows them now
 # What is missing is installed (Debian: apt, as root or with sudo; test-only packages go into .venv).
 
 SHELL := /bin/bash
@@ -29,7 +30,7 @@ export OMP_NUM_THREADS ?= 2
 export OPENBLAS_NUM_THREADS ?= 2
 
 .PHONY: coverage mutation fuzz help system venv demo test test-style test-plain test-portable test-freecad test-window test-install \
-        test-matrix bench translations screens clean
+        test-matrix bench translations screens pictures clean
 
 help:
 	@grep -E '^# make' Makefile | sed 's/^# //'
@@ -104,6 +105,9 @@ mutation: venv
 
 translations:
 	$(PYTHON) resources/translations/update.py
+
+pictures: system venv
+	$(VENV_PYTHON) tests/run_in_freecad.py --gui -q tests/gui/guide_pictures.py
 
 screens: system venv
 	tools/screens.sh

@@ -72,8 +72,7 @@ class Click:
             return
         at = _pixels(event.getPosition())
         state = node.getAction().getState()
-        found = coin.SoViewVolumeElement.get(state).getMatrix()
-        matrix = np.array([[found[i][k] for k in range(4)] for i in range(4)])
+        matrix = np.array(coin.SoViewVolumeElement.get(state).getMatrix().getValue())
         width, height = _pixels(coin.SoViewportRegionElement.get(state).getViewportSizePixels())
 
         def project(points):
