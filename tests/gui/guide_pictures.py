@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The pictures of the guide, as the window shows them today.  They are made by `make pictures`, into docs/images.
+"""Pictures of the guide whose panels need more than a test shows.  They are made by `make pictures`, into docs/images.
 
     .venv/bin/python tests/run_in_freecad.py --gui -q tests/gui/guide_pictures.py
 
@@ -79,19 +79,6 @@ def test_tolerances(machine, monkeypatch):
     review.hide()
     run("Sens_Tolerances")
     save("tolerances", monkeypatch)
-
-
-@pytest.mark.parametrize("name", ["review", "linked", "what-if"])
-def test_review(machine, name, monkeypatch):
-    run("Sens_Sensitivity")
-    dock = review.dock()
-    if name == "linked":
-        dock.ranking.choose_error("EBY")
-        dock.point(["Y"]) if hasattr(dock, "point") else None
-    if name == "what-if":
-        dock.tabs.setCurrentIndex(2)
-    look(machine.Document)
-    save(name, monkeypatch)
 
 
 def test_jog(machine, monkeypatch):
