@@ -23,7 +23,7 @@ from .naming import beyond, stand_in, stands_out
 from .noise import slow_drift
 from .problem import State, Step
 from .scan import free_of_scale
-from .search import ScoredTerm, same_place, scored
+from .search import ScoredTerm, refine, same_place, scored, search
 
 
 def judge(state: State, others, best: ScoredTerm) -> Step:
@@ -167,7 +167,9 @@ def is_line(state: State, others, candidate: ScoredTerm) -> bool:
     full = state.fit_with([*others, candidate])
     rows, p = state.rows(full), state.problem
     scanner = state.scanner(rows)
-    if not stands_out(state.scanned(rows), candidate, scanner, state.settings) and _waves_left(state, scanner):
+    if not stands_out(state.scanned(rows), candidate, scanner, p.readings.columns, state.settings) and _waves_left(
+        state, scanner
+    ):
         return False
     used = int(np.count_nonzero(full.weight))
     return beyond(rows, candidate, p.readings.columns, p.names, used, settings=state.settings) is None
@@ -214,13 +216,51 @@ def proved(state: State) -> State:
     return replace(state, steps=tuple(steps))
 
 
-def _refusal(state: State, step: Step, others, full: Fit) -> Message | None:
+def line_beside(state: State, forms) -> State:
+    """The state with a period named beside smooth `forms` of what is left, or as it was.
+
+    Long waves, where an axis is declared with too low a degree, hide a screw, look like roughness, and like memory of
+    the noise.  Beside a form of them a line is judged as any other effect is.
+    """
+    p, s = state.problem, state.settings
+    others = [*(step.candidate for step in state.named), *forms]
+    quiet = state.heard(state.fit_with(others))
+    rows = quiet.rows(quiet.fit_with(others))
+    found = search(rows, p.readings, quiet.scanner(rows), p.names, p.groups)
+    if not found or not found[0].shape.wave or len(state.named) >= s.most_effects:
+        return state
+    step = judge(quiet, others, found[0])
+    if not quiet.passes(step) or not is_line(quiet, others, step.candidate):
+        return state
+    step = replace(step, pool=tuple(found), selection=selection(quiet, others, step.candidate, found))
+    if _refusal(quiet, step, others, quiet.fit_with([*others, step.candidate]), forms) is not None:
+        return state
+    return replace(quiet, steps=(*state.steps, step))
+
+
+def beat(state: State, others, wave: ScoredTerm) -> Step | None:
+    """What the height and phase of a named `wave` change along its travel, as a second wave that the travel cannot tell
+    from it; None where that is no more than chance, or below the floor.
+    """
+    p = state.problem
+    rows = state.rows(state.fit_with(others))
+    span = float(np.ptp(wave.driver.values(p.readings.columns)))
+    near = [r for r in p.bank if r.driver == wave.driver and r.shape.wave and not r.shape.resolved(wave.shape, span)]
+    terms = [scored(rows, wave.symbol, r, p.readings.columns) for r in near if r != wave.regressor]
+    if not terms:
+        return None
+    best = refine(rows, max(terms, key=lambda c: c.gain), p.readings.columns)
+    step = judge(state, others, best)
+    return step if state.passes(step) else None
+
+
+def _refusal(state: State, step: Step, others, full: Fit, forms=()) -> Message | None:
     c, p, s = step.candidate, state.problem, state.settings
     if not state.passes(step):
         return Message("refused-beside-others")
     if step.selection < s.selection:
         return Message("refused-selection", share=step.selection)
-    rows = state.rows_with(full, [*(o for o in others if not same_place(o, c)), c])
+    rows = state.rows_with(full, [*(o for o in others if o in forms or not same_place(o, c)), c])
     used = int(np.count_nonzero(full.weight))
     table = p.readings.columns
     reason = stand_in(c, others, table, p.names, s) or beyond(

@@ -130,8 +130,17 @@ def stand_in(candidate: ScoredTerm, others, columns, names, settings: TraceSetti
     return None
 
 
-def stands_out(rows: Rows, candidate: ScoredTerm, scanner: Scanner, settings: TraceSettings = DEFAULT) -> bool:
-    """Whether a period explains much more than any other wave that is left: roughness is many waves, a screw is one."""
+def stands_out(rows: Rows, candidate: ScoredTerm, scanner: Scanner, columns, settings: TraceSettings = DEFAULT) -> bool:
+    """Whether a period explains much more than any other wave that is left: roughness is many waves, a screw is one.
+
+    What the travel cannot tell from it is no other wave: the height of a screw's error may change along it.
+    """
     gains = scanner.scores(rows.residual).gain
-    lines = np.flatnonzero([s.shape.wave for s in scanner.shapes])
+    span = float(np.ptp(candidate.driver.values(columns)))
+    own = [
+        s.driver == candidate.driver and not s.shape.resolved(candidate.shape, span)
+        for s in scanner.shapes
+        if s.shape.wave
+    ]
+    lines = np.flatnonzero([s.shape.wave for s in scanner.shapes])[~np.array(own, dtype=bool)]
     return not len(lines) or candidate.gain > settings.line_ratio * float(gains[lines].max())

@@ -348,10 +348,10 @@ class State:
             lambda: Scanner(self.scanned(rows), p.bank, p.component_indices, p.regressors, wholes=p.wholes),
         )
 
-    def grams(self, fitted: Fit, others, candidates, within: bool = False):
+    def grams(self, fitted: Fit, others, candidates, within: bool = False, block=None):
         """Block Grams of [declared basis, others, candidates]: (grams, base columns, columns of each candidate).
 
-        within : for held-out errors with a shift of each block taken out, too.
+        within : for held-out errors with a shift of each block taken out, too.  block (rows,) : other blocks.
         """
         p = self.problem
         parts = [self.rows_with(fitted, []).ortho]
@@ -367,4 +367,5 @@ class State:
             at += x.shape[1]
         y = fitted.white(p.readings.value)
         offsets = fitted.white(p.readings.sense) if within else None
-        return evidence.BlockGrams(np.concatenate(parts, axis=1), y, self.row_block, offsets), base, mine
+        block = self.row_block if block is None else block
+        return evidence.BlockGrams(np.concatenate(parts, axis=1), y, block, offsets), base, mine

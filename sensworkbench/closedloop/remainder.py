@@ -13,7 +13,7 @@ import numpy as np
 
 from ..core.errors import component
 from . import evidence
-from .acceptance import judge
+from .acceptance import beat, judge
 from .design import ALL_SYMBOLS
 from .freeform import FreeScan
 from .noise import duration, slow_drift
@@ -50,12 +50,17 @@ class Rest:
     dropped: tuple[Step, ...] = ()
 
 
+def _places(state: State) -> list[int]:
+    """Components (indices) that a free form is tried on: one of each group that moves alike."""
+    return [c for c in state.problem.component_indices if component(ALL_SYMBOLS[c]).kind != "squareness"]
+
+
 def remainder(state: State, model) -> Remainder:
     """Return what is left after `model`: tests for structure and smooth forms of it."""
     s, p = state.settings, state.problem
     fitted = state.fit_with(model)
     rows = state.scanned(state.rows(fitted))
-    places = [c for c in p.component_indices if component(ALL_SYMBOLS[c]).kind != "squareness"]
+    places = _places(state)
     found, null = FreeScan(rows, p.scan_readings, p.names, places).best(state.signs)
     if not found:
         return Remainder()
@@ -84,31 +89,67 @@ def rest(state: State) -> Rest:
     """What the named effects leave: the test, smooth forms worth predicting with, and whether it is above the floor."""
     s = state.settings
     model = [step.candidate for step in state.named]
+    beats = tuple(b.candidate for b in (beat(state, model, c) for c in model if c.shape.wave) if b is not None)
+    model += beats
     first = remainder(state, model)
     dropped = _still_there(state, model)
     refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
-    structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped)
-    if state.drifts:  # nothing smooth can be told from a drift, and none would predict
+    structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped) or bool(beats)
+    if state.drifts:  # nothing smooth can be told from a drift; what predicts readings left out is modelled
         lasts = round(duration(max(state.memory.values())))
         drift = slow_drift(state.fit_with(model), state.problem.readings, s)
-        return Rest(first, (), True, None, drift or lasts, dropped)
+        return Rest(
+            first, (*beats, *_modelled(state, model, replace(state, memory={}))), True, None, drift or lasts, dropped
+        )
+    drift = slow_drift(state.fit_with(model), state.problem.readings, s)
+    smooth: tuple[ScoredTerm, ...] = ()
+    if structured or drift is not None:
+        quiet, first = _relocated(state, model, first) if structured else (replace(state, memory={}), first)
+        smooth = _modelled(state, model, quiet, first if structured else None)
     if structured:
-        state, first = _relocated(state, model, first)
+        drift = slow_drift(state.fit_with([*model, *smooth]), state.problem.readings, s)
+    hidden = None if structured else _unlogged(state, model)
+    return Rest(first, (*beats, *smooth), structured or drift is not None, hidden, drift, dropped)
+
+
+def _modelled(state: State, model, quiet: State, first: Remainder | None = None) -> tuple[ScoredTerm, ...]:
+    """Forms of what is left that predict readings left out, without a name; `first` : the first of them, if located.
+
+    Structure that is in no model looks like memory of the noise, and whitening by it blurs the structure.  So forms are
+    looked for under the memory of the state `quiet`, and as if nothing remembered.  Where noise remembers, short blocks
+    left out are told by their neighbours: as many of the forms are taken as predict the blocks of the trace best,
+    counted in plain errors, or none.
+    """
+    bare = replace(state, memory={})
+    sets = [_forms(quiet, model, first)]
+    if any(quiet.memory.values()):
+        sets.append(_forms(bare, model))
+    full = bare.fit_with([*model, *sets[-1]])
+    best, least = (), np.inf
+    for terms in sets:
+        grams, base, mine = bare.grams(full, model, terms, block=state.row_block)
+        least = min(least, float(grams.held_out(base).sum()))
+        for k in range(len(terms)):
+            error = float(grams.held_out(base + sum(mine[: k + 1], [])).sum())
+            if error < least:
+                best, least = terms[: k + 1], error
+    return best
+
+
+def _forms(state: State, model, found: Remainder | None = None) -> tuple[ScoredTerm, ...]:
+    """Smooth forms beside `model`, one after another, that predict blocks left out; `found` : the first of them."""
+    s = state.settings
     smooth: list[ScoredTerm] = []
-    found = first
+    found = remainder(state, model) if found is None else found
     for _ in range(s.smooth_most):
-        if not (
-            structured and found.structure is not None and found.p < s.alpha and found.size > s.smooth_floor * s.floor
-        ):
+        if found.structure is None or found.p >= s.alpha or found.size <= s.smooth_floor * s.floor:
             break
         best = _smooth(state, [*model, *smooth], found)
         if best is None:
             break
         smooth.append(best)
         found = remainder(state, [*model, *smooth])
-    hidden = None if structured else _unlogged(state, [*model, *smooth])
-    drift = slow_drift(state.fit_with([*model, *smooth]), state.problem.readings, s)
-    return Rest(first, tuple(smooth), structured or drift is not None, hidden, drift, dropped)
+    return tuple(smooth)
 
 
 def _relocated(state: State, model, first: Remainder) -> tuple[State, Remainder]:
@@ -150,10 +191,13 @@ def _smooth(state: State, model, rest: Remainder) -> ScoredTerm | None:
 
     Of the surface as located, sharpened, and as a product of two profiles, that which predicts left-out blocks best.
     """
-    found, columns = rest.structure, state.problem.scan_readings.columns
-    for _ in range(2):
+    found, p = rest.structure, state.problem
+    columns = p.scan_readings.columns
+    for k in range(2):
         full = state.fit_with([*model, surface_candidate(found)])
         rows = state.scanned(state.rows_with(full, model))
+        if k == 0:  # with the noise known, columns that are nearly alike can be told apart
+            found = next(iter(locate(rows, p.scan_readings, p.names, _places(state))), found)
         found = sharpen(rows, columns, found)
     forms = [rest.structure, found]
     forms += [s for s in (separable(rows, columns, found),) if s is not None]

@@ -152,7 +152,11 @@ def _start(rows: Rows, found: Surface, columns, tables):
 
 
 def locate(rows: Rows, readings, names, components) -> list[Surface]:
-    """Surfaces by evidence, best first: all single columns and pairs at one resolution, the leaders at several."""
+    """Surfaces by evidence, best first: all single columns and pairs at one resolution, the leaders of both at several.
+
+    A second column must be worth its while: slow columns and directions of approach go together in most plans, and a
+    surface of two of them predicts nothing where they part.
+    """
     columns, settings = readings.columns, rows.settings
     sets = [(a,) for a in names] + list(itertools.combinations(names, 2))
     coarse = []
@@ -165,8 +169,9 @@ def locate(rows: Rows, readings, names, components) -> list[Surface]:
             coarse.append((_evidence(values, scores)[0], c, group))
     coarse.sort(key=lambda item: -item[0])
     best = coarse[0][0] if coarse else 0.0
+    leaders = [[item for item in coarse if len(item[2]) == size][: settings.located] for size in (1, 2)]
     found = []
-    for nats, c, group in coarse[: settings.located]:
+    for nats, c, group in [item for part in leaders for item in part]:
         if nats < settings.located_share * best:
             continue
         if len(group) == 1:
@@ -174,4 +179,4 @@ def locate(rows: Rows, readings, names, components) -> list[Surface]:
         else:
             grid = [g for g in itertools.product(settings.bumps, repeat=2) if g[0] * g[1] <= settings.bumps_most]
         found.append(max((surface(rows, columns, c, group, w) for w in grid), key=lambda s: s.evidence))
-    return sorted(found, key=lambda s: -s.evidence)
+    return sorted(found, key=lambda s: settings.detectable * (len(s.columns) - 1) - s.evidence)

@@ -15,7 +15,7 @@ from ..core.driver import TIME
 from ..core.machine import Machine
 from ..core.workspace import Cancelled
 from ..messages import Refused
-from .acceptance import proved, review
+from .acceptance import line_beside, proved, review
 from .checks import contradicted
 from .declared import aligned, too_few, without_known_effects
 from .design import check_three_axes
@@ -77,6 +77,10 @@ def trace(
         if whole is not state:
             state = polish(whole)
             left = rest(state)
+    if left.smooth:
+        further = line_beside(state, left.smooth)
+        if further is not state:
+            state, left = further, rest(further)
     _tell(tell, 0.75, "what is left is tested")
     full = state.fit_with([*(s.candidate for s in state.named), *left.smooth])
     state.problem.kept.trim(MOST_AT_THE_END)

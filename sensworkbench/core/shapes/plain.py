@@ -173,6 +173,17 @@ class Periodic(Shape):
             for period in periods(seen.columns[a]):
                 yield Driver((a,)), cls(period=period)
 
+    def resolved(self, other: Periodic, span: float) -> bool:
+        """Can a travel of length `span` tell the two periods apart?  Nearer ones are one wave whose height and phase
+        change along it.
+        """
+        return abs(1 / self.period - 1 / other.period) * span >= 1.0
+
+    def joined(self, driver, other, other_driver, columns):
+        if driver != other_driver or not isinstance(other, Periodic):
+            return None
+        return None if self.resolved(other, float(np.ptp(driver.values(columns)))) else (driver, self)
+
 
 @register
 class Polynomial(Shape):
