@@ -67,7 +67,7 @@ def basis(matrix, weight=None) -> Basis:
     q = x @ (vectors[:, keep] / root / scale[:, None])
     lower = np.linalg.cholesky(q.T @ q)  # nearly the identity
     u, s, vt = np.linalg.svd(lower.T @ (root[:, None] * vectors[:, keep].T), full_matrices=False)
-    return Basis(q @ np.linalg.solve(lower.T, u), s, vt.T, scale, float(s[0] / s[-1]))
+    return Basis(q @ np.linalg.solve(lower.T, u), s, vt.T, scale, float(s[0] / s[-1]) if len(s) else 1.0)
 
 
 def solution(b: Basis, weighted, target) -> np.ndarray:

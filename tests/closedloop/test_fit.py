@@ -15,6 +15,7 @@ from sensworkbench.closedloop.fit import correlation, fit
 from sensworkbench.closedloop.noise import memory_of
 from sensworkbench.closedloop.readings import Readings
 from sensworkbench.closedloop.settings import DEFAULT
+from sensworkbench.closedloop.trace import trace
 
 from .support import both, least_squares, measured, scattered, session
 
@@ -261,3 +262,13 @@ def test_runs_of_two_places_show_no_tilts_of_their_own():
         readings = replace(readings, run=np.repeat(np.arange(60), 2).astype(str))
         found.append(aligned(machine, readings).alignment)
     assert found.count("offset per run") >= 7
+
+
+def test_a_machine_that_declares_nothing_is_aligned_and_traced():
+    """A rigid machine: nothing but the set-up is fitted, and the errors that it has are what is left."""
+    simulated, machine = both("FXYZ", (10, -20, -150))
+    readings = measured(simulated, scattered(120, 4), columns=session(120, 4), noise=NOISE, seed=4)
+    nothing = replace(machine, declared=dict.fromkeys(machine.declared_symbols, 0))
+    quiet = replace(readings, value=np.random.default_rng(4).normal(0.0, NOISE, readings.rows))
+    assert trace(nothing, quiet, seed=4).verdict == "nothing_to_explain"
+    assert trace(nothing, readings, seed=4).verdict != "nothing_to_explain"
