@@ -665,8 +665,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_fleet.py" />
-      <source>False</source>
-      <translation>Falsch</translation>
+      <source>False names</source>
+      <translation>Falsche Namen</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />

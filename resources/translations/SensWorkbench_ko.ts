@@ -665,8 +665,8 @@
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_fleet.py" />
-      <source>False</source>
-      <translation>거짓</translation>
+      <source>False names</source>
+      <translation>거짓 이름</translation>
     </message>
     <message>
       <location filename="../../sensworkbench/gui/task_part.py" />

@@ -89,7 +89,7 @@ class TaskFleet(Panel):
         self.rate.setToolTip(translate("Sens", "Share of false effects among those that stand (false discovery rate)"))
         self.rate.valueChanged.connect(self.forget)
         form.addRow(translate("Sens", "Records"), row)
-        form.addRow(translate("Sens", "False"), self.rate)
+        form.addRow(translate("Sens", "False names"), self.rate)
         return form
 
     # -- the study ---------------------------------------------------------------------------------------------------

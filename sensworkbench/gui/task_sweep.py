@@ -408,10 +408,11 @@ class TaskSweep(Panel):
             self.front = {row[0] for row in list(csv.reader(stream))[1:]}
         self._fill()
         words = translate("Sens", "{n} variants, {best} on the Pareto front (bold), {refused} refused. Files: {folder}")
-        text = words.format(n=count, best=len(self.front), refused=refused, folder=self.folder)
+        text = words.format(n=count, best=len(self.front), refused=refused, folder=Path(self.folder).name)
         if count > len(self.rows):
             text += " " + translate("Sens", "The first {n} are shown.").format(n=len(self.rows))
         self.summary.setText(text)
+        self.summary.setToolTip(str(self.folder))
         self.tabs.setCurrentIndex(1)
         self._enable()
 

@@ -91,17 +91,17 @@ def table(head, rows) -> str:
     """Cells are texts; those of a column whose head starts with # are numbers, at the right."""
     right = [str(h).startswith("#") for h in head]
     align = ['align="right"' if r else 'align="left"' for r in right]
-    cells = "".join(f"<th {a}>{escape(str(h).lstrip('#'))}</th>" for h, a in zip(head, align))
+    cells = "".join(f"<th {a}>{_cell(str(h).lstrip('#'), 6)}</th>" for h, a in zip(head, align))
     lines = [f"<tr>{cells}</tr>"]
     for row in rows:
         lines.append("<tr>" + "".join(f"<td {a} valign='top'>{_cell(c)}</td>" for c, a in zip(row, align)) + "</tr>")
     return "<table cellspacing='0' cellpadding='3' width='100%'>" + "".join(lines) + "</table>"
 
 
-def _cell(text) -> str:
-    """A short text stays in one line: Qt breaks words where a column is narrow."""
+def _cell(text, short: int = 14) -> str:
+    """A text of fewer letters than `short` stays in one line: Qt breaks words where a column is narrow."""
     shown = escape(str(text))
-    return f"<p style='white-space:nowrap; margin:0'>{shown}</p>" if len(str(text)) < 14 else shown
+    return f"<p style='white-space:nowrap; margin:0'>{shown}</p>" if len(str(text)) < short else shown
 
 
 def facts(pairs) -> str:

@@ -43,9 +43,9 @@ def ask(panel):
 
 def test_table_front_and_files_are_those_of_the_verb(panel, machine, machine_doc, tmp_path):
     before = state(machine_doc)
-    assert ask(panel).run(tmp_path / "panel"), panel.summary.text()
+    assert ask(panel).run(tmp_path / "designs"), panel.summary.text()
     assert differences(before, state(machine_doc)) == []
-    folder = tmp_path / "panel"
+    folder = tmp_path / "designs"
     assert {p.name for p in folder.iterdir()} >= {
         "sweep.json",
         "machine.json",
