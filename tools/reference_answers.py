@@ -26,10 +26,11 @@ def answers(folder: Path) -> dict[str, dict]:
 def answer(machine: Machine, asked: dict) -> dict:
     """Inputs, cases and volumetric errors of one machine."""
     inputs = {}
-    for symbol, tolerance in machine.all_tolerances.items():
-        scale = machine.component(symbol).to_shown(1.0)
-        mean, variance, third, fourth = tolerance.moments
-        inputs[symbol] = {"mean": mean * scale, "variance": variance * scale**2, "third": third * scale**3,
+    labels, columns, _, laws = workspace.error_table(machine)
+    for label, symbol, law in zip(labels, columns, laws):
+        scale = machine.component(symbol).to_shown(1.0) if symbol else 1.0  # a source is a pure number
+        mean, variance, third, fourth = law.moments
+        inputs[label] = {"mean": mean * scale, "variance": variance * scale**2, "third": third * scale**3,
                           "fourth": fourth * scale**4}  # fmt: skip
     return {
         "inputs": inputs,

@@ -11,10 +11,12 @@ import copy
 import itertools
 import json
 import sys
+from dataclasses import replace
 
 import pytest
 from jsonschema import Draft202012Validator
 
+from sensworkbench.formats import machine_json
 from tests.formats.support import ROOT
 
 sys.path.insert(0, str(ROOT / "tools"))
@@ -31,9 +33,9 @@ def ours() -> dict:
     return reference_answers.answers(FOLDER)
 
 
-def test_there_are_fifty_machines_of_all_sorts():
+def test_there_are_sixty_machines_of_all_sorts():
     machines = [json.loads((FOLDER / name).read_text(encoding="utf-8")) for name in REFERENCES]
-    assert len(machines) == 50
+    assert len(machines) == 60
     codes = {"".join(reversed(m["workpiece_chain"])) + "F" + "".join(m["tool_chain"]) for m in machines}
     three = {"".join(o[:k]) + "F" + "".join(o[k:]) for o in itertools.permutations("XYZ") for k in range(4)}
     assert three <= codes
@@ -43,6 +45,34 @@ def test_there_are_fifty_machines_of_all_sorts():
     assert sum(sum(j["kind"] == "rotary" for j in each) == 2 for each in joints) >= 10
     assert {m["squareness"] for m in machines} == {"direction", "carried"}
     assert sum(p.stat().st_size for p in FOLDER.iterdir()) < 2_000_000
+
+
+def test_the_set_holds_sources_effects_endless_joints_and_left_handed_machines():
+    machines = [machine_json.load(FOLDER / name) for name in REFERENCES]
+    assert sum(any(j.travel is None for j in m.joints) for m in machines) >= 4
+    assert sum(m.left_handed for m in machines) >= 2
+    assert sum(len(m.sources) for m in machines) >= 10
+    shapes = {e.shape.name for m in machines for e in m.effects if e.enabled and e.range is not None}
+    assert shapes == {"linear", "reversal", "approach", "power", "step", "periodic", "lag"}
+    for name, machine in zip(REFERENCES, machines):
+        ranked = {e.name for e in machine.effects if e.enabled and e.range is not None}
+        named = {*ranked, *(s.name for s in machine.sources)}
+        assert set(REFERENCES[name]["inputs"]) == {*machine.all_tolerances, *named}
+        for case in REFERENCES[name]["cases"]:
+            assert named <= set(case["errors"])
+    single = [s for m in machines for s in m.sources if len({m.component(c).body for c in s.factors}) == 1]
+    assert 0 < len(single) < sum(len(m.sources) for m in machines)  # of one body, and of several
+
+
+@pytest.mark.parametrize(
+    ("name", "change"), [("54", {"sources": ()}), ("57", {"effects": ()}), ("60", {"sources": ()})]
+)
+def test_a_program_without_sources_or_effects_is_outside(name, change):
+    name += ".machine.json"
+    machine = replace(machine_json.load(FOLDER / name), **change)
+    found = score_reference.score({name: reference_answers.answer(machine, REFERENCES[name])})[name]
+    assert found["indices"].outside > 10
+    assert found["indices"].missing > 0
 
 
 @pytest.mark.parametrize("name", REFERENCES)
@@ -71,7 +101,7 @@ def test_the_command_tells_by_its_status(tmp_path, ours, monkeypatch, capsys):
     path.write_text(json.dumps({"machines": ours}), encoding="utf-8")
     monkeypatch.setattr(sys, "argv", ["score_reference.py", str(path)])
     assert score_reference.main() == 0
-    assert "50 machines, 0 missing or outside" in capsys.readouterr().out
+    assert "60 machines, 0 missing or outside" in capsys.readouterr().out
     path.write_text(json.dumps({"machines": {}}), encoding="utf-8")
     assert score_reference.main() == 1
 
@@ -147,3 +177,40 @@ def test_indices_of_the_reference_are_those_of_an_enumeration():
         first, total = found.group(members)
         assert abs(first - variance_of_mean(members) / variance) < 1e-60
         assert abs(total - 1 + variance_of_mean(rest) / variance) < 1e-60
+
+
+def test_ranges_of_effects_of_the_reference_are_those_computed_by_hand():
+    from mpmath import mp, mpf
+    from reference_set.inputs import component_range
+
+    data = json.loads((FOLDER / "58.machine.json").read_text(encoding="utf-8"), parse_float=mpf, parse_int=mpf)
+    found = {e["name"]: component_range(e, data) for e in data["effects"]}
+    arcsec = mp.pi / mpf("0.648")
+    assert found.pop("not known") is None
+    wanted = {
+        "backlash": (-2.5, 2.5),
+        "turns": (-12.6 * arcsec, 12.6 * arcsec),  # 0.07 arcsec/deg over half a turn
+        "column": (-6.2, 29.45),  # -2 K to 9.5 K
+        "scale": (-10.35, 19.55),
+        "growth": (0, 21 * (1 - mp.exp(-3))),
+        "draw": (0, mpf("4e-6") * mpf(12000) * mp.sqrt(12000)),
+        "slip": (-7, 0),
+        "ball screw": (-mp.sqrt("1.93"), mp.sqrt("1.93")),
+        "oil": (-17.1, 0.95),  # from the state at the start, -0.5 K
+    }
+    for name, span in wanted.items():
+        assert [float(v) for v in found[name]] == pytest.approx([float(v) for v in span], rel=1e-14), name
+
+
+def test_a_left_handed_machine_gets_the_right_handed_frame_nearest_to_that_of_the_file():
+    """In 59 Z counts downwards and no axis of the frame changes its sense; in 60 X counts backwards, and x and z do."""
+    from mpmath import mp
+    from reference_set.kinematics import Machine
+
+    for name, senses in (("59", [1, 1, -1]), ("60", [-1, 1, 1])):
+        machine = Machine(FOLDER / f"{name}.machine.json")
+        frame = mp.matrix(machine.frame)
+        assert abs(mp.det(frame) - 1) < 1e-60
+        assert all(frame[i, i] > 0.9 for i in range(3))
+        along = [machine.joints[k].direction[i] for i, k in enumerate("XYZ")]
+        assert [round(float(v)) for v in along] == senses

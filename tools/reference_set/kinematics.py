@@ -80,7 +80,8 @@ class Machine:
         self._find_frame(joints, data.get("frame"))
         self.joints = {j["name"]: Joint(j, self.into) for j in joints}
         self.names = list(self.joints)
-        self.travel = [j["travel"] for j in joints]
+        self.travel = [j["travel"] or [mpf(-180), mpf(180)] for j in joints]  # of an endless joint one turn
+        self.endless = [j["travel"] is None for j in joints]
         self.tool_chain, self.workpiece_chain = data["tool_chain"], data["workpiece_chain"]
         self.tip = self.into(data["tool_point"])
         self.ends = {
@@ -92,8 +93,8 @@ class Machine:
     def _find_frame(self, joints, named):
         """The machine frame: along the primary joint, along the secondary as far as it is square to it, right-handed.
 
-        Primary and secondary are X and Y, or the first two linear joints that are not parallel; with fewer linear
-        joints the frame is that of the file.
+        Of a left-handed triad see `_turn_back`.  Primary and secondary are X and Y, or the first two linear joints that
+        are not parallel; with fewer linear joints the frame is that of the file.
         """
         lines = [j for j in joints if j["kind"] == "linear"]
         by_name = {j["name"]: j for j in joints}
@@ -122,7 +123,21 @@ class Machine:
         self.frame[first], self.frame[second], self.frame[third] = x, y, z
         for j in lines:
             if j["name"] == "XYZ"[third] and dot(z, unit(j["direction"])) <= 0:
-                raise ValueError("left-handed machines are not part of the set")
+                self._turn_back()
+
+    def _turn_back(self):
+        """Of a left-handed triad: a right-handed frame along the same lines, nearest to that of the file.
+
+        Two axes change their sense or none; nearest: the sum of the cosines between the axes of the same letter.
+        """
+        choices = []
+        for unchanged in (None, 0, 1, 2):
+            signs = [1 if unchanged in (None, i) else -1 for i in range(3)]
+            choices.append((sum(s * self.frame[i][i] for i, s in enumerate(signs)), signs))
+        choices.sort(reverse=True)
+        if choices[0][0] - choices[1][0] < mpf(1) / 100:
+            raise ValueError("two frames are equally near to that of the file")
+        self.frame = [[s * v for v in row] for s, row in zip(choices[0][1], self.frame)]
 
     def into(self, v):
         """A vector of the file in the machine frame."""

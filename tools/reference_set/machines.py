@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The 50 machines of the reference set, as machine.json data: drawn with fixed seeds, rounded to few digits."""
+"""Machines 1 to 50 of the reference set, as machine.json data: drawn with fixed seeds, rounded to few digits."""
 
 from __future__ import annotations
 

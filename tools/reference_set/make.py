@@ -12,6 +12,7 @@ import itertools
 import json
 import random
 import sys
+import tempfile
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
@@ -19,7 +20,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from mpmath import mp, mpf
 
 from reference_set import kinematics
-from reference_set.indices import Objective, moments
+from reference_set.further import further_machines
+from reference_set.indices import Objective
+from reference_set.inputs import inputs
 from reference_set.kinematics import Machine
 from reference_set.machines import other_machines, three_axes, tolerances
 
@@ -52,14 +55,14 @@ def reference(path, number):
     """The reference numbers of one machine."""
     machine = Machine(path)
     rng = random.Random(3000 + number)
-    given = machine.data["tolerances"]
-    laws = {s: moments(t) for s, t in given.items()}
-    symbols = list(given)
+    varying = inputs(machine.data)
+    symbols = list(dict.fromkeys([*machine.data["tolerances"], *(s for x in varying for s in x.follows)]))
     joints = len(machine.names)
     span = [(float(low), float(high)) for low, high in machine.travel]
-    places = [[round(rng.uniform(low, high), 2) for low, high in span] for _ in range(2)]
-    count = 3 if joints <= 3 else 2
-    axes = [[low + (high - low) * i / (count - 1) for i in range(count)] for low, high in machine.travel]
+    turns = [3 if endless else 1 for endless in machine.endless]  # positions beyond the turn about 0, too
+    places = [[round(rng.uniform(low, high) * n, 2) for (low, high), n in zip(span, turns)] for _ in range(2)]
+    counts = [3 if joints <= 3 or endless else 2 for endless in machine.endless]
+    axes = [[low + (high - low) * i / (n - 1) for i in range(n)] for (low, high), n in zip(machine.travel, counts)]
     grid = list(itertools.product(*axes))
     extra = MORE[number % len(MORE)]
     known = {}
@@ -73,10 +76,10 @@ def reference(path, number):
     cases = []
     for objective, kind, points in [
         (PLAIN, {"kind": "at", "position": places[0]}, [places[0]]),
-        (PLAIN, {"kind": "grid", "counts": [count] * joints}, grid),
+        (PLAIN, {"kind": "grid", "counts": counts}, grid),
         (extra, {"kind": "at", "position": places[1]}, [places[1]]),
     ]:
-        case = _case(objective, kind, [columns(q) for q in points], symbols, laws, machine)
+        case = _case(objective, kind, [columns(q) for q in points], varying, machine)
         if case:
             cases.append(case)
     volumetric = []
@@ -90,27 +93,28 @@ def reference(path, number):
         norms = [mp.sqrt(sum(v * v for v in x)) for x in (position, turn)]
         volumetric[-1]["error_um"] = [_clean(v, norms[0]) for v in position]
         volumetric[-1]["rotation_urad"] = [_clean(v, norms[1]) for v in turn]
-    inputs = {
-        s: {"mean": m, "variance": v, "third": _clean(third, v ** mpf(1.5)), "fourth": fourth}
-        for s, (m, v, third, fourth) in laws.items()
+    laws = {
+        x.label: {"mean": m, "variance": v, "third": _clean(third, v ** mpf(1.5)), "fourth": fourth}
+        for x, (m, v, third, fourth) in ((x, x.law) for x in varying)
     }
-    return {"format": "sens-reference", "version": 1, "machine": path.name, "inputs": inputs, "cases": cases,
+    return {"format": "sens-reference", "version": 1, "machine": path.name, "inputs": laws, "cases": cases,
             "volumetric": volumetric}  # fmt: skip
 
 
-def _case(objective, kind, found, symbols, laws, machine):
+def _case(objective, kind, found, varying, machine):
     """Indices over positions: means, and the largest total; None where nothing varies."""
     output = int(objective["output"] == "orientation")
     weights = [mpf(str(w)) for w in objective["weights"]]
-    bodies = [b for b in (*machine.names, "T", "W") if any(s[2:] == b for s in symbols)]
-    groups = [[i for i, s in enumerate(symbols) if s[2:] == b] for b in bodies]
-    n, count = len(symbols), len(found)
+    owners = [x.body for x in varying]
+    bodies = [b for b in dict.fromkeys([*machine.names, "T", "W", *owners]) if b in owners]
+    groups = [[i for i, owner in enumerate(owners) if owner == b] for b in bodies]
+    n, count = len(varying), len(found)
     first, total, largest = [mpf(0)] * n, [mpf(0)] * n, [mpf(0)] * n
     parts = [[mpf(0), mpf(0)] for _ in bodies]
     mean, variance = mpf(0), mpf(0)
     for columns in found:
-        here = Objective([columns[s][output] for s in symbols], [laws[s] for s in symbols], weights,
-                         objective["name"] == "signed")  # fmt: skip
+        mixed = [[sum(f * columns[s][output][a] for s, f in x.follows.items()) for a in range(3)] for x in varying]
+        here = Objective(mixed, [x.law for x in varying], weights, objective["name"] == "signed")
         if here.variance == 0:
             return None
         for i, (f, t) in enumerate(here.each()):
@@ -125,8 +129,8 @@ def _case(objective, kind, found, symbols, laws, machine):
         variance += here.variance / count
     return {
         "objective": objective, "positions": kind, "mean": mean, "variance": variance,
-        "errors": {s: {"first": _clean(first[i], 1), "total": _clean(total[i], 1), "total_max": _clean(largest[i], 1)}
-                   for i, s in enumerate(symbols)},
+        "errors": {x.label: {"first": _clean(first[i], 1), "total": _clean(total[i], 1),
+                             "total_max": _clean(largest[i], 1)} for i, x in enumerate(varying)},
         "components": {b: {"first": _clean(p[0], 1), "total": _clean(p[1], 1)} for b, p in zip(bodies, parts)},
     }  # fmt: skip
 
@@ -156,15 +160,24 @@ def _clean(value, size):
     return value if abs(value) > size * mpf(10) ** -35 else mpf(0)
 
 
-def write_machines():
-    """The machine files, with a tolerance for every error."""
+def write_machines(only=None):
+    """The machine files (or those of the numbers `only`), with a tolerance for every error."""
     FOLDER.mkdir(parents=True, exist_ok=True)
-    for n, data in enumerate([*three_axes(), *other_machines()], start=1):
-        path = FOLDER / f"{n:02d}.machine.json"
-        path.write_text(json.dumps(data), encoding="utf-8")
-        symbols = Machine(path).symbols()
-        used = [s for s in symbols if n % 2 or s[2:] not in ("W",)]  # every second machine: the workpiece is ideal
+
+    def symbols_of(data):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "machine.json"
+            path.write_text(json.dumps(data), encoding="utf-8")
+            return Machine(path).symbols()
+
+    for n, data in enumerate([*three_axes(), *other_machines(), *further_machines(symbols_of)], start=1):
+        if only and n not in only:
+            continue
+        used = [s for s in symbols_of(data) if n % 2 or s[2:] not in ("W",)]  # every second machine: an ideal workpiece
+        followed = list(dict.fromkeys(s for source in data.get("sources", []) for s in source["factors"]))
+        used = [s for s in used if s not in followed[::2]]  # what follows a source has a part of its own, or none
         data["tolerances"] = tolerances(random.Random(4000 + n), used, plain=n % 5 == 0)
+        path = FOLDER / f"{n:02d}.machine.json"
         path.write_text(json.dumps(data, indent=1) + "\n", encoding="utf-8")
 
 
@@ -174,8 +187,8 @@ def main() -> int:
     parser.add_argument("--digits", type=int, help="compute again with so many digits and compare")
     parser.add_argument("--machine", type=int, action="append", help="only the machine with this number")
     arguments = parser.parse_args()
-    if not arguments.digits and not arguments.machine:
-        write_machines()
+    if not arguments.digits:
+        write_machines(arguments.machine)
     if arguments.digits:
         mp.dps, kinematics.STEP = arguments.digits, mpf(10) ** -(arguments.digits // 3)
     worst = mpf(0)
