@@ -170,7 +170,7 @@ class _Dual:
         value = -float(prices @ self.room[rows])
         if len(self.curves):
             w = weights[self.curves]
-            with np.errstate(divide="ignore", over="ignore"):
+            with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
                 found = (self.k * self.c / (2 * np.maximum(w, 0))) ** (1 / (self.k + 2))
             found = np.where(w > 0, np.clip(found, self.lower, self.upper), self.upper)
             widths[self.curves] = found
