@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from . import settings
 from .qt import Qt, QtGui, translate
-from .texts import length_unit
 
 
 class PreferencePage:
@@ -145,14 +144,14 @@ class LengthBox(QtGui.QDoubleSpinBox):
         self.setMinimumWidth(64)
 
     def _take_unit(self) -> None:
-        self.unit, self.size = length_unit()
+        self.unit, self.size = settings.length_unit()
         (decimals, step), metric = self._asked, self.unit == "mm"
         self.setDecimals(decimals if metric else decimals + 2)
         self.setSingleStep(step if metric else self.size * max(0.05, round(step / self.size, 1)))
 
     def showEvent(self, event):
         """Qt: the preferences may have changed since it was shown last."""
-        if (self.unit, self.size) != length_unit():
+        if (self.unit, self.size) != settings.length_unit():
             self._take_unit()
             if self.suffix():
                 self.setSuffix(f" {self.unit}")

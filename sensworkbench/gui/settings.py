@@ -55,3 +55,9 @@ def put(name: str, value) -> None:
 def give(machine) -> None:
     """Give a new machine the preferred positions."""
     machine.Aggregate, machine.Order, machine.Grid = (get(name) for name in ("Aggregate", "Order", "Grid"))
+
+
+def length_unit() -> tuple[str, float]:
+    """(unit, mm in it) in which FreeCAD's preferences want lengths: mm, or in where they are not metric."""
+    unit = App.Units.Quantity("100 mm").getUserPreferred()[2]
+    return ("in", 25.4) if unit in ("in", '"', "'", "ft", "thou", "mil") or '"' in unit or "'" in unit else ("mm", 1.0)

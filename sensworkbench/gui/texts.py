@@ -5,8 +5,6 @@ from __future__ import annotations
 
 import re
 
-import FreeCAD as App
-
 from ..core.errors import COMPONENTS, Component
 from ..core.objectives import MeanSquare, Objective
 from ..core.refusal import Refused
@@ -17,6 +15,7 @@ from ..document import refresh, told, tree
 from ..messages import Message
 from . import messages, settings
 from .qt import translate
+from .settings import length_unit
 
 UNIT_SIGNS = {"um": "µm", "urad": "µrad", "arcsec": "″", "deg": "°"}
 
@@ -90,12 +89,6 @@ def fixed(value: float, digits: int) -> str:
     """A number with so many digits, and no minus before a zero."""
     text = f"{value:.{digits}f}"
     return text.lstrip("-") if not float(text) else text
-
-
-def length_unit() -> tuple[str, float]:
-    """(unit, mm in it) in which FreeCAD's preferences want lengths: mm, or in where they are not metric."""
-    unit = App.Units.Quantity("100 mm").getUserPreferred()[2]
-    return ("in", 25.4) if unit in ("in", '"', "'", "ft", "thou", "mil") or '"' in unit or "'" in unit else ("mm", 1.0)
 
 
 def length(value: float, digits: int = 1) -> str:

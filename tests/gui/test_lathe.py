@@ -99,6 +99,6 @@ def test_arrows_places_and_the_map_are_those_of_its_axes(lathe):
     assert drawn.shown and len(drawn.drawn[0]) == 49
     drawn.show(lathe, "viridis", "Upper left", form="Slice X", at=10.0)
     places, scale, text = drawn.drawn
-    assert len(places) == 25 and np.ptp(places[:, 0]) < 1e-3 and "X = 10 mm" in text.note
+    assert len(places) == 25 and np.ptp(places[:, 0]) < 1e-3 and "X = 10.0 mm" in text.note
     assert scale.lower < scale.upper
     drawn.hide()

@@ -15,7 +15,10 @@ from .kinds import XYZ, Kind, Piece, Truth
 def bed_slinger(r) -> Kind:
     """A printer of 2020 and 2040 profiles with V-wheels: the bed along y, the bar along z, the head along x."""
     w, d, h = r.randint(320, 420), r.randint(320, 440), r.randint(380, 500)
-    p = [Piece("F", "2040 base left", box((-w / 2, -w / 2 + 40), (-d / 2, d / 2), (0, 20))), Piece("F", "2040 base right", box((w / 2 - 40, w / 2), (-d / 2, d / 2), (0, 20)))]
+    p = [
+        Piece("F", "2040 base left", box((-w / 2, -w / 2 + 40), (-d / 2, d / 2), (0, 20))),
+        Piece("F", "2040 base right", box((w / 2 - 40, w / 2), (-d / 2, d / 2), (0, 20))),
+    ]
     for y in (-d / 2 + 10, d / 2 - 10):
         p.append(Piece("F", "2020 cross", vslot("x", (0, y, 10), -w / 2 + 40, w / 2 - 40)))
     p.append(Piece("F", "Y extrusion 2040", vslot("y", (0, 0, 40), -d / 2, d / 2, 40)))
@@ -32,16 +35,27 @@ def bed_slinger(r) -> Kind:
         for dy in (-28, 28):
             p += [Piece("Z", "V wheel", s) for s in wheels((x, 50 + dy, z), "z", 20, "x")]
         plate = x + sign * 16
-        p.append(Piece("Z", "Z plate", box((min(plate, plate + 4 * sign), max(plate, plate + 4 * sign)), (0, 100), (z - 40, z + 40))))
+        p.append(
+            Piece(
+                "Z",
+                "Z plate",
+                box((min(plate, plate + 4 * sign), max(plate, plate + 4 * sign)), (0, 100), (z - 40, z + 40)),
+            )
+        )
     p.append(Piece("Z", "X gantry 2020", vslot("x", (0, -10, z), -w / 2 + 6, w / 2 - 6)))
-    p += [Piece("Z", "Gantry bracket", box((s * (w / 2 - 10) - 8, s * (w / 2 - 10) + 8), (0, 20), (z - 10, z + 10))) for s in (-1, 1)]
+    p += [
+        Piece("Z", "Gantry bracket", box((s * (w / 2 - 10) - 8, s * (w / 2 - 10) + 8), (0, 20), (z - 10, z + 10)))
+        for s in (-1, 1)
+    ]
     for dz in (-18, 18):
         p += [Piece("X", "V wheel", s) for s in wheels((20, -10, z + dz), "x", 22, "y")]
     p.append(Piece("X", "X carriage plate", box((-15, 55), (-26, -22), (z - 32, z + 32))))
     p.append(Piece("X", "Hotend fan shroud", box((0, 40), (-70, -26), (z - 25, z + 25))))
     p.append(Piece("X", "E3D nozzle", rod((20, -48, z - 45), "z", 20, 4)))
     p.append(Piece("F", "T8 leadscrew", rod((-w / 2 + 55, 50, 25), "z", h - 60, 4)))
-    p.append(Piece("Z", "T8 nut", bored(rod((-w / 2 + 55, 50, z - 6), "z", 12, 9), (-w / 2 + 55, 50, z - 7), "z", 14, 4)))
+    p.append(
+        Piece("Z", "T8 nut", bored(rod((-w / 2 + 55, 50, z - 6), "z", 12, 9), (-w / 2 + 55, 50, z - 7), "z", 14, 4))
+    )
     p.append(Piece("F", "Z stepper NEMA17", motor((-w / 2 + 55, 50, 25), "z", -40)))
     return Kind(Truth("YFZX", XYZ), p, {"F": "Frame", "Y": "Bed", "Z": "X gantry", "X": "Extruder carriage"})
 
@@ -50,17 +64,41 @@ def rod_printer(r) -> Kind:
     """A printer of smooth rods and printed parts: bed along y, two rods upright, two rods along x."""
     w, d, h = r.randint(360, 440), r.randint(340, 420), r.randint(360, 460)
     k, ry = 4, 0.5 * d
-    p = [Piece("F", "Frame plate", box((-w / 2, w / 2), (60, 66), (0, h)).cut(box((-w / 2 + 60, w / 2 - 60), (59, 67), (25, h - 60)))),]
+    p = [
+        Piece(
+            "F",
+            "Frame plate",
+            box((-w / 2, w / 2), (60, 66), (0, h)).cut(box((-w / 2 + 60, w / 2 - 60), (59, 67), (25, h - 60))),
+        ),
+    ]
     for y in (-ry, ry):
         p.append(Piece("F", "M10 threaded rod frame", rod((-w / 2 + 40, y, 20), "x", w - 80, 5)))
     for x in (-85, 85):
         for y in (-ry, ry):
-            p.append(Piece("F", "y-corner", bored(bored(box((x - 14, x + 14), (y - 14, y + 14), (5, 60)), (x, y - 15, 48), "y", 30, k), (x - 15, y, 20), "x", 30, 5)))
+            p.append(
+                Piece(
+                    "F",
+                    "y-corner",
+                    bored(
+                        bored(box((x - 14, x + 14), (y - 14, y + 14), (5, 60)), (x, y - 15, 48), "y", 30, k),
+                        (x - 15, y, 20),
+                        "x",
+                        30,
+                        5,
+                    ),
+                )
+            )
         p.append(Piece("F", "Y smooth rod 8mm", rod((x, -ry - 10, 48), "y", 2 * ry + 20, k)))
         p.append(Piece("F", "M10 threaded rod long", rod((x * 1.2 + (20 if x > 0 else -20), -ry, 32), "y", 2 * ry, 5)))
     for x, y in ((-85, 50), (-85, -50), (85, 0)):
         p.append(Piece("Y", "LM8UU", bored(rod((x, y - 12, 48), "y", 24, 7.5), (x, y - 13, 48), "y", 26, k)))
-        p.append(Piece("Y", "y bearing holder", bored(box((x - 12, x + 12), (y - 13, y + 13), (40, 60)), (x, y - 14, 48), "y", 28, 7.5)))
+        p.append(
+            Piece(
+                "Y",
+                "y bearing holder",
+                bored(box((x - 12, x + 12), (y - 13, y + 13), (40, 60)), (x, y - 14, 48), "y", 28, 7.5),
+            )
+        )
     p.append(Piece("Y", "y carriage", box((-110, 110), (-110, 110), (60, 66))))
     p.append(Piece("Y", "Heatbed MK2", box((-107, 107), (-107, 107), (72, 75))))
     p += [Piece("Y", "Bed spacer M3", rod((x, y, 66), "z", 6, 4)) for x in (-100, 100) for y in (-100, 100)]
@@ -68,13 +106,17 @@ def rod_printer(r) -> Kind:
     for s in (-1, 1):
         x = s * (w / 2 - 25)
         p.append(Piece("F", "z-axis-bottom", bored(box((x - 22, x + 22), (5, 60), (50, 62)), (x, 40, 49), "z", 14, k)))
-        p.append(Piece("F", "z-axis-top", bored(box((x - 22, x + 22), (5, 60), (h - 14, h)), (x, 40, h - 15), "z", 16, k)))
+        p.append(
+            Piece("F", "z-axis-top", bored(box((x - 22, x + 22), (5, 60), (h - 14, h)), (x, 40, h - 15), "z", 16, k))
+        )
         p.append(Piece("F", "Z smooth rod 8mm", rod((x, 40, 50), "z", h - 50, k)))
         p.append(Piece("F", "Z lead screw", rod((x - 17 * s, 40, 62), "z", h - 90, 4)))
         end = bored(box((x - 24, x + 24), (14, 58), (z - 30, z + 30)), (x, 40, z - 31), "z", 62, 7.5)
         for dz in (-22.5, 22.5):
             end = bored(end, (x - 25, 25, z + dz), "x", 50, k)
-        p.append(Piece("Z", "x-end-idler" if s < 0 else "x-end-motor", bored(end, (x - 17 * s, 40, z - 31), "z", 62, 5)))
+        p.append(
+            Piece("Z", "x-end-idler" if s < 0 else "x-end-motor", bored(end, (x - 17 * s, 40, z - 31), "z", 62, 5))
+        )
         for dz in (-24, 2):
             p.append(Piece("Z", "LM8UU", bored(rod((x, 40, z + dz), "z", 22, 7.5), (x, 40, z + dz - 1), "z", 24, k)))
     for dz in (-22.5, 22.5):
@@ -106,24 +148,71 @@ def core_xy(r) -> Kind:
     p.append(Piece("Y", "X extrusion 2020", vslot("x", (0, y0, zt + 34), -a - 15, a + 15)))
     p.append(Piece("Y", "MGN12 rail X", rail("x", (0, y0, zt + 44), -a + 25, a - 25, k=0.6)))
     p.append(Piece("X", "MGN12H carriage X", block("x", (0, y0, zt + 44), 30, 22, k=0.6)))
-    p.append(Piece("X", "Toolhead mount", fused(box((5, 55), (y0 - 20, y0 + 20), (zt + 60.8, zt + 66)), box((5, 55), (y0 - 26, y0 - 20), (zt, zt + 66)))))
+    p.append(
+        Piece(
+            "X",
+            "Toolhead mount",
+            fused(
+                box((5, 55), (y0 - 20, y0 + 20), (zt + 60.8, zt + 66)), box((5, 55), (y0 - 26, y0 - 20), (zt, zt + 66))
+            ),
+        )
+    )
     p.append(Piece("X", "Hotend", rod((30, y0 - 40, zt - 40), "z", 60, 10)))
-    p.append(Piece("X", "Hotend clamp", bored(box((12, 48), (y0 - 55, y0 - 26), (zt, zt + 15)), (30, y0 - 40, zt - 1), "z", 17, 10)))
+    p.append(
+        Piece(
+            "X",
+            "Hotend clamp",
+            bored(box((12, 48), (y0 - 55, y0 - 26), (zt, zt + 15)), (30, y0 - 40, zt - 1), "z", 17, 10),
+        )
+    )
     p += [Piece("F", "GT2 belt", box((x - 3, x + 3), (-b, b), (zt + 26, zt + 32))) for x in (-a + 40, a - 40)]
     zb = 0.45 * h
     for x in (-a + 30, a - 30):
         for y in (-60, 60):
             p.append(Piece("F", "Smooth rod 10mm", rod((x, y, 20), "z", h - 40, 5)))
-            p.append(Piece("F", "Rod holder", bored(box((x - 15, x + 15), (y - 15, y + 15), (20, 34)), (x, y, 19), "z", 16, 5)))
-            p.append(Piece("F", "Rod holder", bored(box((x - 20, x + 15) if x > 0 else (x - 15, x + 20), (y - 15, y + 15), (h - 34, h - 20)), (x, y, h - 35), "z", 16, 5)))
+            p.append(
+                Piece(
+                    "F", "Rod holder", bored(box((x - 15, x + 15), (y - 15, y + 15), (20, 34)), (x, y, 19), "z", 16, 5)
+                )
+            )
+            p.append(
+                Piece(
+                    "F",
+                    "Rod holder",
+                    bored(
+                        box((x - 20, x + 15) if x > 0 else (x - 15, x + 20), (y - 15, y + 15), (h - 34, h - 20)),
+                        (x, y, h - 35),
+                        "z",
+                        16,
+                        5,
+                    ),
+                )
+            )
             p.append(Piece("Z", "LM10UU", bored(rod((x, y, zb - 15), "z", 29, 9.5), (x, y, zb - 16), "z", 31, 5)))
-            p.append(Piece("Z", "Bed bearing mount", bored(box((x - 14, x + 14), (y - 16, y + 16), (zb - 10, zb + 10)), (x, y, zb - 11), "z", 22, 9.5)))
+            p.append(
+                Piece(
+                    "Z",
+                    "Bed bearing mount",
+                    bored(box((x - 14, x + 14), (y - 16, y + 16), (zb - 10, zb + 10)), (x, y, zb - 11), "z", 22, 9.5),
+                )
+            )
         p.append(Piece("F", "Lead screw Tr8x8", rod((x, 0, 25), "z", h - 70, 4)))
         p.append(Piece("Z", "Lead screw nut", bored(rod((x, 0, zb - 8), "z", 16, 11), (x, 0, zb - 9), "z", 18, 4)))
         p.append(Piece("F", "NEMA17", motor((x, 0, 25), "z", -40)))
         p.append(Piece("Z", "Bed frame 2020 side", vslot("y", (x * 0.8, 0, zb + 20), -110, 110)))
-        p.append(Piece("Z", "Bed arm", box((min(x * 0.8, x) - 12, max(x * 0.8, x) + 12), (-80, 80), (zb + 10, zb + 10.001)).fuse(box((min(x * .8, x) - 12, max(x * .8, x) + 12), (-80, 80), (zb + 4, zb + 10)))))
-    p += [Piece("Z", "Bed frame 2020 cross", vslot("x", (0, y, zb + 20), -(a - 30) * 0.8 + 10, (a - 30) * 0.8 - 10)) for y in (-70, 70)]
+        p.append(
+            Piece(
+                "Z",
+                "Bed arm",
+                box((min(x * 0.8, x) - 12, max(x * 0.8, x) + 12), (-80, 80), (zb + 10, zb + 10.001)).fuse(
+                    box((min(x * 0.8, x) - 12, max(x * 0.8, x) + 12), (-80, 80), (zb + 4, zb + 10))
+                ),
+            )
+        )
+    p += [
+        Piece("Z", "Bed frame 2020 cross", vslot("x", (0, y, zb + 20), -(a - 30) * 0.8 + 10, (a - 30) * 0.8 - 10))
+        for y in (-70, 70)
+    ]
     p.append(Piece("Z", "Print bed", box((-140, 140), (-140, 140), (zb + 30, zb + 36))))
     p.append(Piece("F", "Back panel", box((-a, a), (b + 10, b + 14), (0, h))))
     return Kind(Truth("ZFYX", XYZ), p, {"F": "Frame", "Y": "Y gantry", "X": "Print head", "Z": "Bed assembly"})
@@ -189,9 +278,17 @@ def plywood_router(r) -> Kind:
     p.append(Piece("Z", "Mount", bored(box((0, 80), (f - 95, f - 15), (280, 330)), (40, f - 55, 279), "z", 52, 26)))
     p.append(Piece("Z", "Router", rod((40, f - 55, 200), "z", 210, 26)))
     p.append(Piece("F", "SFU1605", rod((0, -d / 2 + 5, 100), "y", d - 10, 8)))
-    p.append(Piece("Y", "SFU1605 nut block", bored(box((-26, 26), (y0 - 40, y0 + 4), (82, 118)), (0, y0 - 41, 100), "y", 46, 8)))
+    p.append(
+        Piece(
+            "Y", "SFU1605 nut block", bored(box((-26, 26), (y0 - 40, y0 + 4), (82, 118)), (0, y0 - 41, 100), "y", 46, 8)
+        )
+    )
     p.append(Piece("Y", "Nut arm", box((-in_, in_), (y0 - 60, y0 + 60), (118, 125))))
-    return Kind(Truth("FYXZ", XYZ, travel={"Y": d - 20 - 165, "X": 2 * in_ - 20 - 145}), p, {"F": "Base", "Y": "Gantry", "X": "X carriage", "Z": "Z axis"})
+    return Kind(
+        Truth("FYXZ", XYZ, travel={"Y": d - 20 - 165, "X": 2 * in_ - 20 - 145}),
+        p,
+        {"F": "Base", "Y": "Gantry", "X": "X carriage", "Z": "Z axis"},
+    )
 
 
 def tube_router(r) -> Kind:
@@ -200,8 +297,18 @@ def tube_router(r) -> Kind:
     p = []
     for x in (-a, a):
         for y in (-a, a):
-            corner = bored(bored(box((x - 24, x + 24), (y - 24, y + 24), (h - 30, h + 62)), (x - 25, y, h), "x", 50, q), (x, y - 25, h + 32), "y", 50, q)
-            p += [Piece("F", "Corner", corner), Piece("F", "Leg tube", tube((x, y, 0), "z", h - 30, q)), Piece("F", "Foot", box((x - 30, x + 30), (y - 30, y + 30), (-12, 0)))]
+            corner = bored(
+                bored(box((x - 24, x + 24), (y - 24, y + 24), (h - 30, h + 62)), (x - 25, y, h), "x", 50, q),
+                (x, y - 25, h + 32),
+                "y",
+                50,
+                q,
+            )
+            p += [
+                Piece("F", "Corner", corner),
+                Piece("F", "Leg tube", tube((x, y, 0), "z", h - 30, q)),
+                Piece("F", "Foot", box((x - 30, x + 30), (y - 30, y + 30), (-12, 0))),
+            ]
     p += [Piece("F", "Conduit X", tube((-a - 20, y, h), "x", 2 * a + 40, q)) for y in (-a, a)]
     p += [Piece("F", "Conduit Y", tube((x, -a - 20, h + 32), "y", 2 * a + 40, q)) for x in (-a, a)]
     x0, y0 = r.randint(-90, 90), r.randint(-90, 90)
@@ -217,7 +324,13 @@ def tube_router(r) -> Kind:
         for dy in (-30, 30):
             p += [Piece("Y", "Bearing 608", bearing((x, y0 + dy, h + 32 + s * (q + 11)), "x", 11)) for s in (-1, 1)]
     p.append(Piece("Y", "Beam tube X", tube((-a - 25, y0, h), "x", 2 * a + 50, q)))
-    core = bored(bored(box((x0 - 45, x0 + 45), (y0 - 45, y0 + 45), (h - 30, h + 62)), (x0 - 46, y0, h), "x", 92, q + 5), (x0, y0 - 46, h + 32), "y", 92, q + 5)
+    core = bored(
+        bored(box((x0 - 45, x0 + 45), (y0 - 45, y0 + 45), (h - 30, h + 62)), (x0 - 46, y0, h), "x", 92, q + 5),
+        (x0, y0 - 46, h + 32),
+        "y",
+        92,
+        q + 5,
+    )
     zs = [(x0 - 33, y0 - 33), (x0 + 33, y0 - 33)]
     for zx, zy in zs:
         core = bored(core, (zx, zy, h - 31), "z", 94, min(q, 10) + 0.2)
@@ -231,14 +344,31 @@ def tube_router(r) -> Kind:
         plate = bored(plate, (zx, zy, h - 120), "z", 21, min(q, 10))
     p.append(Piece("Z", "Tool mount", bored(plate, (x0, y0 - 33, h - 131), "z", 32, 18)))
     p.append(Piece("Z", "Dremel", rod((x0, y0 - 33, h - 190), "z", 150, 18)))
-    return Kind(Truth("FXYZ", XYZ, either=("FYXZ",)), p, {"F": "Frame", "X": "X rollers", "Y": "Y rollers and core", "Z": "Z tool"})
+    return Kind(
+        Truth("FXYZ", XYZ, either=("FYXZ",)),
+        p,
+        {"F": "Frame", "X": "X rollers", "Y": "Y rollers and core", "Z": "Z tool"},
+    )
 
 
 def steel_router(r) -> Kind:
     """A gantry router welded of square tube with profile rails, its screws and motors, nut housings and supports."""
     w, d, s = r.randint(700, 1000), r.randint(900, 1400), r.choice((50, 60))
-    p = [Piece("F", "Tube 50x50 long", fused(box((x - s / 2, x + s / 2), (-d / 2, d / 2), (0, s)), box((x - s / 2, x + s / 2), (-d / 2, d / 2), (s, s + 6)))) for x in (-w / 2, w / 2)]
-    p += [Piece("F", "Tube 50x50 cross", box((-w / 2 + s / 2, w / 2 - s / 2), (y - s / 2, y + s / 2), (0, s))) for y in (-d / 2 + s, 0, d / 2 - s)]
+    p = [
+        Piece(
+            "F",
+            "Tube 50x50 long",
+            fused(
+                box((x - s / 2, x + s / 2), (-d / 2, d / 2), (0, s)),
+                box((x - s / 2, x + s / 2), (-d / 2, d / 2), (s, s + 6)),
+            ),
+        )
+        for x in (-w / 2, w / 2)
+    ]
+    p += [
+        Piece("F", "Tube 50x50 cross", box((-w / 2 + s / 2, w / 2 - s / 2), (y - s / 2, y + s / 2), (0, s)))
+        for y in (-d / 2 + s, 0, d / 2 - s)
+    ]
     z0, y0 = s + 6, r.randint(-200, 200)
     for x in (-w / 2, w / 2):
         p.append(Piece("F", f"HGR20-{d - 60}", rail("y", (x, 0, z0), -d / 2 + 30, d / 2 - 30)))
@@ -247,8 +377,24 @@ def steel_router(r) -> Kind:
         p.append(Piece("Y", "Riser", box((x - s / 2, x + s / 2), (y0 - s, y0 + s), (z0 + 38, z0 + 138))))
         sx = x - (45 if x > 0 else -45)
         p.append(Piece("F", "SFU1610", rod((sx, -d / 2, z0 + 12), "y", d, 8)))
-        p.append(Piece("F", "BK12", bored(box((sx - 20, sx + 20), (-d / 2, -d / 2 + 25), (s, z0 + 34)), (sx, -d / 2 - 1, z0 + 12), "y", 27, 8)))
-        p.append(Piece("Y", "DSG16H nut housing", bored(box((sx - 20, sx + 20), (y0 - 20, y0 + 20), (z0 - 8, z0 + 28)), (sx, y0 - 21, z0 + 12), "y", 42, 8)))
+        p.append(
+            Piece(
+                "F",
+                "BK12",
+                bored(
+                    box((sx - 20, sx + 20), (-d / 2, -d / 2 + 25), (s, z0 + 34)), (sx, -d / 2 - 1, z0 + 12), "y", 27, 8
+                ),
+            )
+        )
+        p.append(
+            Piece(
+                "Y",
+                "DSG16H nut housing",
+                bored(
+                    box((sx - 20, sx + 20), (y0 - 20, y0 + 20), (z0 - 8, z0 + 28)), (sx, y0 - 21, z0 + 12), "y", 42, 8
+                ),
+            )
+        )
         p.append(Piece("F", "NEMA23", motor((sx, -d / 2, z0 + 12), "y", -56, 28)))
     b = z0 + 138
     p.append(Piece("Y", "Beam 100x50", box((-w / 2 - s / 2, w / 2 + s / 2), (y0 - s / 2, y0 + s / 2), (b, b + 100))))
@@ -262,7 +408,13 @@ def steel_router(r) -> Kind:
         p += [Piece("Z", "HGH15CA", block("z", (x, f - 12, 0), zz, 24, "y", -1, k=0.8)) for zz in (b + 20, b + 90)]
     g = f - 12 - 22.4
     p.append(Piece("Z", "Z front plate", box((-120, 60), (g - 12, g), (b - 30, b + 130))))
-    p.append(Piece("Z", "Spindle clamp 80", bored(box((-80, 20), (g - 112, g - 12), (b, b + 70)), (-30, g - 62, b - 1), "z", 72, 40)))
+    p.append(
+        Piece(
+            "Z",
+            "Spindle clamp 80",
+            bored(box((-80, 20), (g - 112, g - 12), (b, b + 70)), (-30, g - 62, b - 1), "z", 72, 40),
+        )
+    )
     p.append(Piece("Z", "Spindle 2.2kW", rod((-30, g - 62, b - 90), "z", 250, 40)))
     p.append(Piece("F", "Spoilboard MDF", box((-w / 2 + 80, w / 2 - 80), (-d / 2 + 20, d / 2 - 20), (s, s + 18))))
     return Kind(Truth("FYXZ", XYZ), p, {"F": "Frame", "Y": "Gantry", "X": "X axis", "Z": "Z axis"})
@@ -278,16 +430,23 @@ def knee_mill(r) -> Kind:
         return [(x, -z) for x, z in points]
 
     col = box((-140 * k, 140 * k), (0, 320 * k), (0, h))
-    p = [Piece("F", "Base casting", box((-260 * k, 260 * k), (-560 * k, 360 * k), (-70 * k, 0))), Piece("F", "Column", fused(col, profile(out(d), "z", 120 * k, 820 * k)))]
+    p = [
+        Piece("F", "Base casting", box((-260 * k, 260 * k), (-560 * k, 360 * k), (-70 * k, 0))),
+        Piece("F", "Column", fused(col, profile(out(d), "z", 120 * k, 820 * k))),
+    ]
     knee = box((-130 * k, 130 * k), (-480 * k, 0), (zk, zk + 170 * k)).cut(profile(out(d), "z", zk - 1, zk + 171 * k))
     zt = zk + 170 * k
     p.append(Piece("Z", "Knee", fused(knee, dove("y", (0, 0, zt), d, -480 * k, -80 * k))))
     p.append(Piece("Z", "Elevating screw", rod((0, -300 * k, 0), "z", zk, 20 * k)))
     e = [(-45 * k, 0), (45 * k, 0), (60 * k, 24 * k), (-60 * k, 24 * k)]
-    saddle = box((-140 * k, 140 * k), (ys - 110 * k, ys + 110 * k), (zt, zt + 80 * k)).cut(dove("y", (0, 0, zt), d, ys - 111 * k, ys + 111 * k))
+    saddle = box((-140 * k, 140 * k), (ys - 110 * k, ys + 110 * k), (zt, zt + 80 * k)).cut(
+        dove("y", (0, 0, zt), d, ys - 111 * k, ys + 111 * k)
+    )
     zs = zt + 80 * k
     p.append(Piece("Y", "Saddle", fused(saddle, dove("x", (0, ys, zs), e, -140 * k, 140 * k))))
-    table = box((-480 * k, 480 * k), (ys - 110 * k, ys + 110 * k), (zs, zs + 65 * k)).cut(dove("x", (0, ys, zs), e, -481 * k, 481 * k))
+    table = box((-480 * k, 480 * k), (ys - 110 * k, ys + 110 * k), (zs, zs + 65 * k)).cut(
+        dove("x", (0, ys, zs), e, -481 * k, 481 * k)
+    )
     for y in (-60, 0, 60):
         table = table.cut(box((-481 * k, 481 * k), (ys + (y - 7) * k, ys + (y + 7) * k), (zs + 45 * k, zs + 66 * k)))
     p.append(Piece("X", "Table", table))
@@ -295,7 +454,19 @@ def knee_mill(r) -> Kind:
     p.append(Piece("X", "Vise", box((-80 * k, 80 * k), (ys - 50 * k, ys + 50 * k), (zs + 65 * k, zs + 130 * k))))
     p.append(Piece("F", "Ram", box((-90 * k, 90 * k), (-420 * k, 300 * k), (h, h + 160 * k))))
     yq = -480 * k
-    p.append(Piece("F", "Mill head", bored(box((-100 * k, 100 * k), (yq - 60 * k, yq + 60 * k), (h - 120 * k, h + 300 * k)), (0, yq, h - 121 * k), "z", 300 * k, 42 * k)))
+    p.append(
+        Piece(
+            "F",
+            "Mill head",
+            bored(
+                box((-100 * k, 100 * k), (yq - 60 * k, yq + 60 * k), (h - 120 * k, h + 300 * k)),
+                (0, yq, h - 121 * k),
+                "z",
+                300 * k,
+                42 * k,
+            ),
+        )
+    )
     p.append(Piece("F", "Quill", rod((0, yq, h - 200 * k), "z", 320 * k, 42 * k)))
     p.append(Piece("F", "Head motor", rod((0, yq, h + 300 * k), "z", 180 * k, 70 * k)))
     return Kind(Truth("XYZF", XYZ, either=("XYFZ",)), p, {"F": "Column", "Z": "Knee", "Y": "Saddle", "X": "Table"})
@@ -304,8 +475,13 @@ def knee_mill(r) -> Kind:
 def c_frame(r) -> Kind:
     """A small mill of plates: cross table on rails below, the head on a column with rails."""
     w, h, y0 = r.randint(180, 260), r.randint(420, 600), r.randint(-30, 30)
-    p = [Piece("F", "Bottom plate", box((-w, w), (-260, 200), (0, 25))), Piece("F", "Back plate", box((-w * 0.6, w * 0.6), (150, 175), (25, h)))]
-    p += [Piece("F", "Gusset", profile([(175, 25), (175, 300), (200, 25)], "x", x, x + 12)) for x in (-w * 0.5, w * 0.4)]
+    p = [
+        Piece("F", "Bottom plate", box((-w, w), (-260, 200), (0, 25))),
+        Piece("F", "Back plate", box((-w * 0.6, w * 0.6), (150, 175), (25, h))),
+    ]
+    p += [
+        Piece("F", "Gusset", profile([(175, 25), (175, 300), (200, 25)], "x", x, x + 12)) for x in (-w * 0.5, w * 0.4)
+    ]
     for x in (-90, 90):
         p.append(Piece("F", "Rail 15", rail("y", (x, 0, 25), -250, 120, k=0.8)))
         p += [Piece("Y", "Block 15", block("y", (x, 0, 25), y0 - 60 + dy, 24, k=0.8)) for dy in (-50, 50)]
@@ -320,7 +496,9 @@ def c_frame(r) -> Kind:
         p += [Piece("Z", "Block 15", block("z", (x, 150, 0), z0 + dz, 24, "y", -1, k=0.8)) for dz in (-40, 40)]
     f = 150 - 22.4
     p.append(Piece("Z", "Head plate", box((-85, 85), (f - 16, f), (z0 - 80, z0 + 80))))
-    p.append(Piece("Z", "Clamp", bored(box((-45, 45), (f - 116, f - 16), (z0 - 60, z0)), (0, f - 66, z0 - 61), "z", 62, 32)))
+    p.append(
+        Piece("Z", "Clamp", bored(box((-45, 45), (f - 116, f - 16), (z0 - 60, z0)), (0, f - 66, z0 - 61), "z", 62, 32))
+    )
     p.append(Piece("Z", "Motor spindle", rod((0, f - 66, z0 - 130), "z", 220, 32)))
     return Kind(Truth("XYFZ", XYZ), p, {"F": "Base", "Y": "Saddle", "X": "Table", "Z": "Head"})
 
@@ -341,7 +519,13 @@ def moving_column(r) -> Kind:
         p.append(Piece("Y", "Linear rail", rail("z", (x, 170, 0), 330, h - 20, "y", -1, k=1.4)))
         p += [Piece("Z", "Rail carriage", block("z", (x, 170, 0), h - 200 + z, 50, "y", -1, k=1.4)) for z in (-90, 60)]
     f = 170 - 39.2
-    p.append(Piece("Z", "Spindle head", bored(box((-150, 150), (f - 330, f), (h - 360, h - 60)), (0, f - 220, h - 361), "z", 302, 60)))
+    p.append(
+        Piece(
+            "Z",
+            "Spindle head",
+            bored(box((-150, 150), (f - 330, f), (h - 360, h - 60)), (0, f - 220, h - 361), "z", 302, 60),
+        )
+    )
     p.append(Piece("Z", "Spindle", rod((0, f - 220, h - 420), "z", 360, 60)))
     return Kind(Truth("XFYZ", XYZ), p, {"F": "Bed", "X": "Table", "Y": "Column", "Z": "Spindle head"})
 
@@ -367,7 +551,13 @@ def low_rods(r) -> Kind:
     for z in (200, 270):
         p.append(Piece("Y", "Ø10 rod", rod((-w / 2 + 14, y0, z), "x", w - 28, 5)))
     p.append(Piece("F", "screw Tr10", rod((0, -d / 2, 30), "y", d, 5)))
-    p.append(Piece("Y", "bottom tie", box((-w / 2 + 46, w / 2 - 46), (y0 - 15, y0 + 15), (34, 60)).cut(rod((0, y0 - 16, 30), "y", 32, 7))))
+    p.append(
+        Piece(
+            "Y",
+            "bottom tie",
+            box((-w / 2 + 46, w / 2 - 46), (y0 - 15, y0 + 15), (34, 60)).cut(rod((0, y0 - 16, 30), "y", 32, 7)),
+        )
+    )
     c = box((-35, 35), (y0 - 16, y0 + 16), (182, 288))
     for z in (200, 270):
         c = bored(c, (-36, y0, z), "x", 72, 5 + g)
@@ -389,7 +579,10 @@ def laser(r) -> Kind:
     """A laser cutter: a bar on V-wheels along y, a cart on V-wheels along x; two axes."""
     w, d = r.randint(450, 700), r.randint(450, 650)
     p = [Piece("F", "Extrusion 2040", box((x - 10, x + 10), (-d / 2, d / 2), (0, 40))) for x in (-w / 2, w / 2)]
-    p += [Piece("F", "Extrusion 2040", box((-w / 2 + 10, w / 2 - 10), (y - 10, y + 10), (0, 40))) for y in (-d / 2 + 10, d / 2 - 10)]
+    p += [
+        Piece("F", "Extrusion 2040", box((-w / 2 + 10, w / 2 - 10), (y - 10, y + 10), (0, 40)))
+        for y in (-d / 2 + 10, d / 2 - 10)
+    ]
     for s in (-1, 1):
         x = s * w / 2
         for dz in (-28, 28):
@@ -436,7 +629,9 @@ def fixed_bridge(r) -> Kind:
     """A fixed bridge of plates over a table on rails along y; carriage along x, slide along z, with ball screws."""
     w, d = r.randint(260, 380), r.randint(420, 600)
     p = [Piece("F", "Base plate", box((-w - 40, w + 40), (-d / 2, d / 2), (0, 30)))]
-    p += [Piece("F", "Bridge column", box((s * (w + 25) - 15, s * (w + 25) + 15), (20, 120), (30, 520))) for s in (-1, 1)]
+    p += [
+        Piece("F", "Bridge column", box((s * (w + 25) - 15, s * (w + 25) + 15), (20, 120), (30, 520))) for s in (-1, 1)
+    ]
     p.append(Piece("F", "Bridge beam", box((-w - 10, w + 10), (50, 100), (320, 500))))
     y0 = r.randint(-70, 50)
     for x in (-w * 0.55, w * 0.55):
@@ -444,7 +639,9 @@ def fixed_bridge(r) -> Kind:
         p += [Piece("Y", "HIWIN HGH20", block("y", (x, 0, 30), y0 + dy)) for dy in (-75, 75)]
     p.append(Piece("Y", "T-slot table", box((-w * 0.85, w * 0.85), (y0 - 150, y0 + 150), (58, 83))))
     p.append(Piece("F", "SFU1204", rod((0, -d / 2, 44), "y", d, 6)))
-    p.append(Piece("Y", "SFU1204 nut", bored(box((-18, 18), (y0 - 20, y0 + 20), (31, 58)), (0, y0 - 21, 44), "y", 42, 6)))
+    p.append(
+        Piece("Y", "SFU1204 nut", bored(box((-18, 18), (y0 - 20, y0 + 20), (31, 58)), (0, y0 - 21, 44), "y", 42, 6))
+    )
     for z in (350, 470):
         p.append(Piece("F", "HIWIN HGR20R", rail("x", (0, 50, z), -w, w, "y", -1)))
         p += [Piece("X", "HIWIN HGH20", block("x", (0, 50, z), -20 + dx, 30, "y", -1)) for dx in (-50, 50)]
@@ -454,7 +651,13 @@ def fixed_bridge(r) -> Kind:
         p += [Piece("Z", "HGH15", block("z", (x, 7, 0), 400 + dz, 24, "y", -1, k=0.8)) for dz in (-40, 40)]
     g = 7 - 22.4
     p.append(Piece("Z", "Spindle plate", box((-110, 70), (g - 15, g), (330, 470))))
-    p.append(Piece("Z", "Spindle mount", bored(box((-65, 25), (g - 105, g - 15), (360, 420)), (-20, g - 60, 359), "z", 62, 32.5)))
+    p.append(
+        Piece(
+            "Z",
+            "Spindle mount",
+            bored(box((-65, 25), (g - 105, g - 15), (360, 420)), (-20, g - 60, 359), "z", 62, 32.5),
+        )
+    )
     p.append(Piece("Z", "Spindle", rod((-20, g - 60, 270), "z", 230, 32.5)))
     return Kind(Truth("YFXZ", XYZ), p, {"F": "Frame", "Y": "Table", "X": "X carriage", "Z": "Z slide"})
 
@@ -483,29 +686,66 @@ def hot_wire(r) -> Kind:
         p.append(Piece(f"Z{side}", f"Block Z {side}", block("z", (x, 20, 0), 220, 30, "y", -1)))
         p.append(Piece(f"Z{side}", f"Wire holder {side}", box((x - 15, x + 15), (-38, -8), (205, 235))))
     p.append(Piece("Zleft", "Wire", rod((-w, -24, 220), "x", 2 * w, 0.4)))
-    return Kind(Truth(None, {"Y": (0, 1, 0), "Z": (0, 0, 1)}), p, {"F": "Table", "Yleft": "Left tower", "Zleft": "Left slide", "Yright": "Right tower", "Zright": "Right slide"})
+    return Kind(
+        Truth(None, {"Y": (0, 1, 0), "Z": (0, 0, 1)}),
+        p,
+        {"F": "Table", "Yleft": "Left tower", "Zleft": "Left slide", "Yright": "Right tower", "Zright": "Right slide"},
+    )
 
 
 def way_lathe(r) -> Kind:
     """A lathe on V-ways: carriage along the bed, cross slide on a dovetail, compound and tool post on it."""
     k = r.uniform(0.8, 1.4)
-    ways = [(-70, 0), (70, 0), (70, 40), (55, 40), (45, 52), (35, 40), (-30, 40), (-30, 48), (-60, 48), (-60, 40), (-70, 40)]
+    ways = [
+        (-70, 0),
+        (70, 0),
+        (70, 40),
+        (55, 40),
+        (45, 52),
+        (35, 40),
+        (-30, 40),
+        (-30, 48),
+        (-60, 48),
+        (-60, 40),
+        (-70, 40),
+    ]
     ways = [(y * k, 100 * k + z * k) for y, z in ways]
     length = r.randint(700, 1000) * k
     p = [Piece("F", "Bed", fused(box((0, length), (-70 * k, 70 * k), (0, 100 * k)), profile(ways, "x", 0, length)))]
-    p.append(Piece("F", "Headstock", bored(box((0, 190 * k), (-80 * k, 80 * k), (152 * k, 330 * k)), (-1, 0, 260 * k), "x", 192 * k, 35 * k)))
-    p += [Piece("F", "Spindle", rod((-20 * k, 0, 260 * k), "x", 230 * k, 35 * k)), Piece("F", "3 jaw chuck", rod((210 * k, 0, 260 * k), "x", 60 * k, 75 * k))]
+    p.append(
+        Piece(
+            "F",
+            "Headstock",
+            bored(box((0, 190 * k), (-80 * k, 80 * k), (152 * k, 330 * k)), (-1, 0, 260 * k), "x", 192 * k, 35 * k),
+        )
+    )
+    p += [
+        Piece("F", "Spindle", rod((-20 * k, 0, 260 * k), "x", 230 * k, 35 * k)),
+        Piece("F", "3 jaw chuck", rod((210 * k, 0, 260 * k), "x", 60 * k, 75 * k)),
+    ]
     x0 = r.randint(380, 480) * k
-    saddle = box((x0 - 70 * k, x0 + 70 * k), (-100 * k, 100 * k), (140 * k, 185 * k)).cut(profile(ways, "x", x0 - 71 * k, x0 + 71 * k))
+    saddle = box((x0 - 70 * k, x0 + 70 * k), (-100 * k, 100 * k), (140 * k, 185 * k)).cut(
+        profile(ways, "x", x0 - 71 * k, x0 + 71 * k)
+    )
     e = [(-30 * k, 0), (30 * k, 0), (42 * k, 16 * k), (-42 * k, 16 * k)]
     p.append(Piece("Z", "Saddle", fused(saddle, dove("y", (x0, 0, 185 * k), e, -100 * k, 100 * k))))
     p.append(Piece("Z", "Apron", box((x0 - 70 * k, x0 + 70 * k), (-130 * k, -100 * k), (30 * k, 185 * k))))
-    p.append(Piece("X", "Cross slide", box((x0 - 52 * k, x0 + 52 * k), (-80 * k, 60 * k), (185 * k, 225 * k)).cut(dove("y", (x0, 0, 185 * k), e, -81 * k, 61 * k))))
+    p.append(
+        Piece(
+            "X",
+            "Cross slide",
+            box((x0 - 52 * k, x0 + 52 * k), (-80 * k, 60 * k), (185 * k, 225 * k)).cut(
+                dove("y", (x0, 0, 185 * k), e, -81 * k, 61 * k)
+            ),
+        )
+    )
     p.append(Piece("X", "Compound rest", box((x0 - 30 * k, x0 + 70 * k), (-30 * k, 30 * k), (225 * k, 250 * k))))
     p.append(Piece("X", "Tool post", box((x0 - 25 * k, x0 + 25 * k), (-25 * k, 25 * k), (250 * k, 290 * k))))
     p.append(Piece("F", "Lead screw", rod((190 * k, -115 * k, 60 * k), "x", length - 220 * k, 8 * k)))
     p.append(Piece("F", "Tailstock", box((length - 150 * k, length - 40 * k), (-60 * k, 60 * k), (148 * k, 300 * k))))
-    return Kind(Truth("FZX", {"Z": (1, 0, 0), "X": (0, 1, 0)}), p, {"F": "Lathe bed", "Z": "Carriage", "X": "Cross slide"})
+    return Kind(
+        Truth("FZX", {"Z": (1, 0, 0), "X": (0, 1, 0)}), p, {"F": "Lathe bed", "Z": "Carriage", "X": "Cross slide"}
+    )
 
 
 def wheel_on_board(r) -> Kind:
@@ -520,7 +760,20 @@ def wheel_on_board(r) -> Kind:
         p += [Piece("Y", "Skate wheel", rod((x - 12, y0 + dy, 55), "x", 24, 25)) for dy in (-70, 70)]
         for dy in (-60, 60):
             p.append(Piece("Y", "Z rod 10mm", rod((x - s * 24, y0 + dy, 60), "z", 260, 5)))
-            p += [Piece("Y", "Rod holder", bored(box(tuple(sorted((x - s * 12, x - s * 34))), (y0 + dy - 10, y0 + dy + 10), (zz, zz + 10)), (x - s * 24, y0 + dy, zz - 1), "z", 12, 5)) for zz in (60, 310)]
+            p += [
+                Piece(
+                    "Y",
+                    "Rod holder",
+                    bored(
+                        box(tuple(sorted((x - s * 12, x - s * 34))), (y0 + dy - 10, y0 + dy + 10), (zz, zz + 10)),
+                        (x - s * 24, y0 + dy, zz - 1),
+                        "z",
+                        12,
+                        5,
+                    ),
+                )
+                for zz in (60, 310)
+            ]
         slide = box(tuple(sorted((x - s * 13, x - s * 60))), (y0 - 80, y0 + 80), (z - 40, z + 40))
         for dy in (-60, 60):
             slide = bored(slide, (x - s * 24, y0 + dy, z - 41), "z", 82, 5)
@@ -534,7 +787,13 @@ def wheel_on_board(r) -> Kind:
         cart = bored(cart, (-61, y0 + dy, z), "x", 122, q + 0.2)
     p.append(Piece("X", "Cart", cart))
     p.append(Piece("X", "Router", rod((0, y0 - 90, z - 90), "z", 180, 30)))
-    p.append(Piece("X", "Router mount", bored(box((-40, 40), (y0 - 125, y0 - 60), (z - 20, z + 20)), (0, y0 - 90, z - 21), "z", 42, 30)))
+    p.append(
+        Piece(
+            "X",
+            "Router mount",
+            bored(box((-40, 40), (y0 - 125, y0 - 60), (z - 20, z + 20)), (0, y0 - 90, z - 21), "z", 42, 30),
+        )
+    )
     return Kind(Truth("FYZX", XYZ), p, {"F": "Table", "Y": "Trucks", "Z": "Gantry lift", "X": "Tool cart"})
 
 
