@@ -31,8 +31,11 @@ def reason(error: OSError) -> str:
     return (error.strerror or type(error).__name__).lower()
 
 
-def read_bytes(path, limit: int) -> bytes:
-    """The bytes of a regular file, at most `limit`; they become an input of the run.  Refuses anything else."""
+def read_bytes(path, limit: int, note: bool = True) -> bytes:
+    """The bytes of a regular file, at most `limit`.  Refuses anything else.
+
+    note : they become an input of the run; false for what a run reads only in order to change it.
+    """
     name = str(path)
     try:
         # not to wait for the other end of a pipe
@@ -56,7 +59,8 @@ def read_bytes(path, limit: int) -> bytes:
         os.close(handle)
     if len(data) > limit:
         raise Refused("file-too-large", name, limit=f"{limit / 2**20:g}")
-    provenance.note_input(path, data)
+    if note:
+        provenance.note_input(path, data)
     return data
 
 

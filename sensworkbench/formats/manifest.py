@@ -106,7 +106,7 @@ def dumps(stated: dict) -> str:
 
 def load(path) -> dict:
     """A manifest, checked; refuses what is none, and names that reach out of the folder."""
-    return loads(files.read_bytes(path, _LIMIT).decode("utf-8", "replace"), str(path))
+    return loads(files.read_bytes(path, _LIMIT, note=False).decode("utf-8", "replace"), str(path))
 
 
 def loads(text: str, name: str = NAME) -> dict:

@@ -31,6 +31,11 @@ class Operations:
             stream.flush()
             os.fsync(stream.fileno())
 
+    def append(self, stream, data: bytes) -> None:
+        """Add `data` to a binary file that is open for it, so that a process that ends here has written it."""
+        stream.write(data)
+        stream.flush()
+
     def flush(self, path) -> None:
         """Have what was written to a file on the disk."""
         handle = os.open(path, os.O_RDWR)

@@ -232,7 +232,7 @@ def corrected(job: Job) -> tuple[bytes, dict]:
     found, program, options = correction_of(job), job.program, job.options
     stays, cuts = gcode.kept(program), found.path.cutting
     rms = lambda e: part_json.number(um(np.sqrt((e[cuts] ** 2).sum(axis=1).mean())))  # noqa: E731
-    features = []
+    features, uncertainty = [], known_uncertainty(job.machine, job.path)
     for f in features_on(job.machine, found.path, job.request.features):
         sizes = [part_json.number(um(value_under(f, found.path, e))) for e in (found.before, found.after)]
         features.append({"name": f.name, "before_um": sizes[0], "after_um": sizes[1]})
@@ -246,7 +246,7 @@ def corrected(job: Job) -> tuple[bytes, dict]:
         "clipped": found.clipped,
         "before_um": rms(found.before),
         "after_um": rms(found.after),
-        "uncertainty_um": part_json.number(um(known_uncertainty(job.machine, job.path))),
+        "uncertainty_um": None if uncertainty is None else part_json.number(um(uncertainty)),
         "tables": _tables(job),
         "features": features,
     }
@@ -305,6 +305,6 @@ def write(folder, job: Job, result: PartResult, language: str = "en") -> list[Pa
     if target.parent.resolve() == Path(folder).resolve():
         return study_files.write_set(folder, "part", made | {target.name: program})
     with staged_file(target, "part --correct") as work:
-        paths = study_files.write_set(folder, "part", made)
         write_bytes(work, program)
+        paths = study_files.write_set(folder, "part", made)
     return [*paths, target]

@@ -164,8 +164,13 @@ def kept(folder, sweep: Sweep) -> list[str]:
     path = Path(folder) / PARTIAL
     if not path.is_file():
         return []
-    text = path.read_text(encoding="utf-8")
-    first, _, rest = text.partition("\n")
+    try:
+        text = path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        raise Refused("sweep-other", str(path)) from None
+    first, ended, rest = text.partition("\n")
+    if not ended and f"# {identity(sweep)}".startswith(first):
+        return []  # stopped before anything was kept
     if first != f"# {identity(sweep)}":
         raise Refused("sweep-other", str(path))
     lines = rest.split("\n")[:-1]  # what follows the last line end was cut off

@@ -6,13 +6,14 @@ The command line and the window write through here, so that both write the same 
 
 from __future__ import annotations
 
+import contextlib
 import csv
 from collections.abc import Iterable
 from pathlib import Path
 
 from sensworkbench.studies.sweep import CHUNK, Sweep
 
-from . import study_files, sweep_files
+from . import files, operations, study_files, sweep_files
 
 LARGEST_CHUNK = 1000
 
@@ -29,19 +30,22 @@ def write(folder, sweep: Sweep, done: list[str], judged: Iterable, language: str
     done : lines that an interrupted run of the same sweep has kept.  judged : (number, values, outputs or None, what
     was refused) of the others, in order.  What ends `judged` early leaves the lines so far, for another run to go on.
     """
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
+    folder, act = Path(folder), operations.current()
     partial = folder / sweep_files.PARTIAL
     refused = sum(1 for row in done if next(csv.reader([row]))[-1])
-    with partial.open("w", encoding="utf-8", newline="\n") as stream:
-        stream.write(f"# {sweep_files.identity(sweep)}\n" + "".join(done))
-        stream.flush()
-        for number, values, outputs, words in judged:
-            stream.write(sweep_files.line(sweep, number, values, outputs, words))
-            stream.flush()
-            refused += outputs is None
-    files = sweep_files.summary(sweep, partial, language)
-    extra = lambda work: sweep_files.write_results(sweep, partial, work / sweep_files.RESULTS)  # noqa: E731
-    paths = study_files.write_set(folder, "sweep", files, extra)
-    partial.unlink()
+    with contextlib.ExitStack() as stack:
+        with files.written(folder):
+            stack.enter_context(files.made_folders(folder))
+        # in one step: what an earlier run kept is there until all of it stands in the new file
+        files.write_text(partial, f"# {sweep_files.identity(sweep)}\n" + "".join(done))
+        with partial.open("ab") as stream:
+            for number, values, outputs, words in judged:
+                with files.written(partial):
+                    act.append(stream, sweep_files.line(sweep, number, values, outputs, words).encode("utf-8"))
+                refused += outputs is None
+        texts = sweep_files.summary(sweep, partial, language)
+        extra = lambda work: sweep_files.write_results(sweep, partial, work / sweep_files.RESULTS)  # noqa: E731
+        paths = study_files.write_set(folder, "sweep", texts, extra)
+        with files.written(partial):
+            act.remove(partial)
     return paths, refused

@@ -14,7 +14,18 @@ import numpy as np
 import pytest
 
 from sensworkbench import cli
-from sensworkbench.formats import file_sets, files, manifest, operations
+from sensworkbench.formats import (
+    file_sets,
+    files,
+    machine_json,
+    manifest,
+    operations,
+    part_files,
+    provenance,
+    sweep_files,
+    sweep_run,
+)
+from sensworkbench.studies.sweep import FileJudge, run_sweep
 from tests.formats.support import golden, write
 from tests.formats.test_exchange_fcm import mill
 from tests.formats.test_file_sets import Injector, Stopped, hidden
@@ -50,10 +61,17 @@ VERBS = {
     "allocate": (["allocate", "m.json", "--target", "rms=12", "--costs", "costs.csv"], "o"),
     "sweep": (["sweep", "sweep.json"], "o"),
     "limits": (["limits", "m.json"], "o"),
+    "moves": (["moves", "m.json", "--within", "5"], "o"),
+    "correlated": (["correlated", "m.json", "--covariance", "covariance.csv"], "o"),
+    "fleet": (["fleet", "machines", "--permutations", "199"], "o"),
+    "part": (["part", "f.json", "p.nc", "--work-offset=G54=0,0,0"], "o"),
+    "part --correct": (["part", "f.json", "p.nc", "--work-offset=G54=0,0,0", "--correct", "o/better.nc"], "o"),
+    "part --correct beside": (["part", "f.json", "p.nc", "--work-offset=G54=0,0,0", "--correct=better.nc"], "o"),
 }
+PROGRAM = "G21 G17 G90 G54\nG0 X60 Y20 Z-20\n(feature: circle, roundness)\nG3 I-50 F500\n(feature: end)\n"
 SWEEP = {
     "machine": "m.json",
-    "parameters": [{"path": "tool_point.2", "values": [-150, -100]}],
+    "parameters": [{"path": "tool_point.2", "values": [-150, -120, -100]}],
     "design": "full",
     "outputs": ["rms", "share.X"],
 }
@@ -65,7 +83,7 @@ def given(name) -> None:
         write(Path("isg.csv"), "X EXX\n-300 0\n-100 0.001\n100 0.002\n200 0.001\n300 0.002\n")
     if name == "import-machine":
         write(Path("mill.fcm"), mill())
-    if name == "trace":
+    if name in ("trace", "fleet"):
         rows = Path("p.csv").read_text(encoding="utf-8").splitlines()[1:]
         e = np.random.default_rng(3).normal(0, 1, (len(rows), 3))
         table = "".join(f"{row},{a:.3f},{b:.3f},{c:.3f}\n" for row, (a, b, c) in zip(rows, e))
@@ -75,6 +93,15 @@ def given(name) -> None:
         write(Path("costs.csv"), "symbol,kind,c,k,lower,upper\n" + rows)
     if name == "sweep":
         write(Path("sweep.json"), SWEEP)
+    if name == "correlated":
+        write(Path("covariance.csv"), "symbol,EXX,EAX\nEXX,4,1\nEAX,1,9\n")
+    if name == "fleet":
+        for machine in ("a", "b"):
+            Path("machines", machine).mkdir(parents=True, exist_ok=True)
+            write(Path("machines", machine, "machine.json"), golden())
+            write(Path("machines", machine, "measured.csv"), Path("r.csv").read_text(encoding="utf-8"))
+    if name.startswith("part"):
+        write(Path("p.nc"), PROGRAM)
 
 
 def do(name, *more) -> int:
@@ -91,6 +118,72 @@ def test_results_come_out_the_same_again(place, capsys, name):
     assert cli.main(["verify", VERBS[name][1]]) == 0, capsys.readouterr()
     said = capsys.readouterr().out
     assert "come out the same again" in said and said.rstrip().endswith("verified")
+
+
+def whole_sets(place) -> list[Path]:
+    """The files that the verb wrote, without manifests."""
+    found = [place / n for n in seen(place) if n.startswith(("o/", "better.nc")) and not n.endswith("manifest.json")]
+    return sorted(found)
+
+
+@pytest.mark.parametrize("name", VERBS)
+def test_a_byte_that_changed_is_named_in_every_file_and_input_of_every_verb(place, capsys, name):
+    assert do(name) == 0
+    results, first = whole_sets(place), json.loads(stated(name).read_text(encoding="utf-8"))["sets"][0]
+    inputs = [i["path"] for i in first["inputs"]]
+    assert results and inputs
+    for path in results:
+        data = path.read_bytes()
+        path.write_bytes(data[:-2] + bytes([data[-2] ^ 1]) + data[-1:])
+        capsys.readouterr()
+        assert cli.main(["verify", VERBS[name][1], "--sums-only"]) == 2
+        assert f"changed: {path.relative_to(place)} is not the file" in capsys.readouterr().out
+        assert path.read_bytes() != data  # and it is left as it was found
+        path.write_bytes(data)
+    for path in map(Path, inputs):
+        data = path.read_bytes()
+        path.write_bytes(data + b"\n")
+        assert cli.main(["verify", VERBS[name][1]]) == 2
+        assert f"changed: the input {path} is not the file" in capsys.readouterr().out
+        path.write_bytes(data)
+    assert cli.main(["verify", VERBS[name][1], "--sums-only"]) == 0
+
+
+def test_verify_writes_nothing_and_names_a_further_file_that_differs(place, capsys):
+    name = "part --correct beside"
+    assert do(name) == 0
+    assert do(name) == 0  # what the folder stated before is no input
+    assert cli.main(["verify", "better.nc"]) == 0
+    data = Path("better.nc").read_bytes()
+    changed = data.replace(b"G1", b"G0", 1)
+    Path("better.nc").write_bytes(changed)
+    for result in ("o", "better.nc"):
+        capsys.readouterr()
+        assert cli.main(["verify", result]) == 2
+        said = capsys.readouterr().out
+        assert "changed: better.nc is not" in said and "differs: better.nc: line" in said
+        assert Path("better.nc").read_bytes() == changed
+    assert cli.main([*VERBS[name][0], "--out=other", "--step=2"]) == 0
+    assert cli.main(["verify", "o", "--sums-only"]) == 2
+    assert "changed: better.nc is of another run" in capsys.readouterr().out
+    Path("better.nc").unlink()
+    assert cli.main(["verify", "o"]) == 2 and "missing: better.nc" in capsys.readouterr().out
+
+
+def test_a_fleet_is_verified_from_another_folder(place, capsys, monkeypatch):
+    assert do("fleet") == 0
+    (place / "elsewhere").mkdir()
+    monkeypatch.chdir(place / "elsewhere")
+    assert cli.main(["verify", "../o"]) == 0, capsys.readouterr()
+    write(place / "machines" / "b" / "measured.csv", "x_mm\n")
+    assert cli.main(["verify", "../o"]) == 2
+    assert "machines/b/measured.csv is not the file that was read" in capsys.readouterr().out
+
+
+def stated(name) -> Path:
+    """The manifest of a verb's results."""
+    out = Path(VERBS[name][1])
+    return out.with_name(manifest.name_of(out.name)) if out.suffix else out / manifest.NAME
 
 
 def test_what_differs_is_named(place, capsys):
@@ -315,6 +408,140 @@ def test_a_verb_stopped_at_every_operation_leaves_the_old_set_or_the_new(place, 
         file_sets.recover(place)
         assert seen(folder) in (old, new), at
         assert not hidden(place), at
+
+
+@pytest.mark.parametrize("how", ["kill", "fail"])
+def test_a_corrected_program_elsewhere_and_the_folder_are_each_whole_and_verify_tells_of_two_runs(
+    place, monkeypatch, capsys, how
+):
+    given("part")
+    options = part_files.Options(offsets=("G54=0,0,0",), correct="better.nc")
+
+    def made(coefficient):
+        fitted = FITTED | {"C0Y": {"value": coefficient, "unit": "urad"}}
+        job = part_files.read(machine_json.loads(json.dumps(golden(fitted=fitted))), "p.nc", options)
+        return job, part_files.judged(job)
+
+    sets, programs, texts = [made(12), made(40)], {}, {}
+    for job, result in sets:
+        programs[id(job)] = part_files.corrected(job)
+        texts[id(job)] = part_files.files(job, result, "en", programs[id(job)][1])
+    monkeypatch.setattr(part_files, "corrected", lambda job: programs[id(job)])
+    monkeypatch.setattr(part_files, "files", lambda job, *_: texts[id(job)])
+
+    def again(job, result):
+        with provenance.running("part", ["part", "f.json", "p.nc", "--correct", "better.nc"]):
+            provenance.note_input("f.json", programs[id(job)][0])
+            part_files.write(place / "o", job, result)
+
+    def found():
+        folder = {k: v for k, v in seen(place).items() if k.startswith("o/")}
+        return folder, {k: v for k, v in seen(place).items() if k.startswith("better.nc")}
+
+    again(*sets[0])
+    old = found()
+    counter = Injector(0, "")
+    with operations.replaced(counter):
+        again(*sets[1])
+    new, mixed = found(), 0
+    assert old[0] != new[0] and old[1] != new[1]
+    for at in range(1, counter.count + 1):
+        again(*sets[0])
+        try:
+            with operations.replaced(Injector(at, how)):
+                again(*sets[1])
+        except (Stopped, cli.program.Refused):
+            pass
+        file_sets.recover(place / "o")
+        file_sets.recover(place)
+        folder, program = found()
+        assert folder in (old[0], new[0]) and program in (old[1], new[1]), at
+        assert not hidden(place), at
+        if (folder, program) not in (old, new):
+            mixed += 1
+            capsys.readouterr()
+            assert cli.main(["verify", "o", "--sums-only"]) == 2
+            assert "changed: better.nc is of another run" in capsys.readouterr().out, at
+    assert mixed  # two folders do not change as one: docs/formats.md
+
+
+class Torn(Injector):
+    """Stops in the middle of a line that is added."""
+
+    def append(self, stream, data):
+        if self.count + 1 == self.at:
+            stream.write(data[: len(data) // 2])
+            stream.flush()
+        super().append(stream, data)
+
+
+@pytest.mark.parametrize("begun", [0, 2])
+@pytest.mark.parametrize("how", ["kill", "torn", "fail"])
+def test_a_sweep_stopped_at_every_operation_leaves_the_old_table_or_one_that_goes_on(place, monkeypatch, how, begun):
+    given("sweep")
+    write(place / "other.json", SWEEP | {"outputs": ["rms"]})
+    sweeps = [sweep_files.load(name) for name in ("other.json", "sweep.json")]
+    rows = [list(run_sweep(s, FileJudge(sweep_files.machine_of, s.data, s.paths, s.outputs))) for s in sweeps]
+    monkeypatch.setattr(
+        sweep_files, "summary", lambda s, partial, language: {"report.html": f"<html>{len(s.outputs)}</html>"}
+    )
+
+    def again(folder, which):
+        done = sweep_files.kept(folder, sweeps[which]) if which else []
+        return sweep_run.write(folder, sweeps[which], done, rows[which][len(done) :])
+
+    def start(folder):
+        again(folder, 0)
+        if begun:
+            first = "".join(sweep_files.line(sweeps[1], *row) for row in rows[1][:begun])
+            write(folder / sweep_files.PARTIAL, f"# {sweep_files.identity(sweeps[1])}\n{first}")
+        return table(folder)
+
+    def table(folder):
+        return {name: data for name, data in seen(folder).items() if name != sweep_files.PARTIAL}
+
+    counter = Injector(0, "")
+    start(place / "count")
+    with operations.replaced(counter):
+        again(place / "count", 1)
+    new = table(place / "count")
+    assert not (place / "count" / sweep_files.PARTIAL).exists() and len(rows[1]) > begun
+    for at in range(1, counter.count + 1):
+        folder = place / f"at{at}"
+        old = start(folder)
+        assert old != new
+        try:
+            with operations.replaced((Torn if how == "torn" else Injector)(at, "kill" if how == "torn" else how)):
+                again(folder, 1)
+        except (Stopped, cli.program.Refused):
+            pass
+        file_sets.recover(folder)
+        assert table(folder) in (old, new), at
+        if (folder / sweep_files.PARTIAL).exists():
+            assert len(sweep_files.kept(folder, sweeps[1])) >= begun, at
+        else:
+            assert not begun or table(folder) == new, at
+        again(folder, 1)
+        assert table(folder) == new and not (folder / sweep_files.PARTIAL).exists(), at
+
+
+@pytest.mark.parametrize("text", ["", "#", "# 0123"])
+def test_a_table_that_was_stopped_in_its_first_line_is_begun_again_or_is_of_another_sweep(place, capsys, text):
+    given("sweep")
+    (place / "o").mkdir()
+    write(place / "o" / sweep_files.PARTIAL, text)
+    other = not f"# {sweep_files.identity(sweep_files.load('sweep.json'))}".startswith(text)
+    assert cli.main(["sweep", "sweep.json", "--resume", "--out=o"]) == (2 if other else 0)
+    assert ("another sweep" in capsys.readouterr().err) == other
+
+
+def test_a_sweep_without_space_is_a_refusal(place, capsys):
+    given("sweep")
+    for at in range(1, 12):
+        with operations.replaced(Injector(at, "fail")):
+            assert cli.main(["sweep", "sweep.json", "--out=o"]) == 2, at
+        said = capsys.readouterr().err
+        assert "no space left" in said and said.count("\n") == 1, said
 
 
 def test_a_full_disk_is_a_refusal_with_nothing_changed(place, capsys):

@@ -46,7 +46,8 @@ class Injector(operations.Operations):
         raise OSError(errno.ENOSPC, "No space left on device", name)
 
 
-for _name in ("make_folder", "write", "flush", "replace", "link", "remove", "remove_folder", "lock", "unlock"):
+NAMES = ("make_folder", "write", "append", "flush", "replace", "link", "remove", "remove_folder", "lock", "unlock")
+for _name in NAMES:
     setattr(Injector, _name, lambda self, *args, _name=_name: self._do(_name, *args))
 
 
