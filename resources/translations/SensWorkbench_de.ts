@@ -1494,7 +1494,7 @@
       <translation>Positionen je Achse</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <location filename="../../sensworkbench/gui/prices.py" />
       <source>Prices of tolerances</source>
       <translation>Preise der Toleranzen</translation>
     </message>

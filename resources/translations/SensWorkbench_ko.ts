@@ -1494,7 +1494,7 @@
       <translation>축당 위치 수</translation>
     </message>
     <message>
-      <location filename="../../sensworkbench/gui/task_allocation.py" />
+      <location filename="../../sensworkbench/gui/prices.py" />
       <source>Prices of tolerances</source>
       <translation>공차의 가격</translation>
     </message>

@@ -21,6 +21,7 @@ from .panel import Panel
 from .panel import rows as form_rows
 from .panel import show as show_panel
 from .preferences import combo, number_box, read_field
+from .prices import Prices
 from .qt import QT_TRANSLATE_NOOP, Qt, QtGui, translate
 from .ranking import NumericItem
 from .texts import limits, meaning
@@ -50,7 +51,7 @@ def present_costs(core) -> dict[str, PowerCost]:
     return found
 
 
-class TaskAllocation(Panel):
+class TaskAllocation(Prices, Panel):
     """The panel; `found` is the result of the study, None before it and after a change of what is asked."""
 
     guide = "2. Tolerances"
@@ -165,23 +166,6 @@ class TaskAllocation(Panel):
         """Whether the last step of the document is that of Apply."""
         names = self.document.UndoNames
         return bool(self.undo_name) and bool(names) and names[0] == self.undo_name
-
-    def ask_costs(self, *_) -> None:
-        """Ask for a file of prices and read it."""
-        path = messages.ask_open(translate("Sens", "Prices of tolerances"), "CSV (*.csv)")
-        if path:
-            self.load_costs(path)
-
-    def load_costs(self, path) -> None:
-        """Take the prices of a file; a refusal is shown, and the prices stay."""
-        try:
-            self.costs = costs_csv.load(path, self.core)
-        except Refused as error:
-            messages.show(messages.words(error))
-            return
-        self.prices.setText(str(path).rpartition("/")[2])
-        self.prices.setToolTip(str(path))
-        self.forget()
 
     def load_catalogue(self, *_) -> None:
         """Offer the grades of the catalogue for the errors that it holds; the others keep their curve."""

@@ -12,9 +12,8 @@ from pathlib import Path
 import FreeCAD as App
 import numpy as np
 
-from ..core.refusal import Refused
 from ..document import tree
-from ..formats import costs_csv, moves_json
+from ..formats import moves_json
 from ..studies.moves import TOOL, moves_study
 from . import display, messages, move_arrows, pointers, state
 from .command import Command, Where, command
@@ -22,6 +21,7 @@ from .current import current_machine
 from .move_arrows import BODIES, point_name
 from .panel import rows as form_rows
 from .preferences import number_box
+from .prices import Prices
 from .qt import QT_TRANSLATE_NOOP, QtGui, translate
 from .task_study import KEY, StudyPanel, add_row, fit_columns, opened, table
 from .texts import fixed, length, length_unit
@@ -30,7 +30,7 @@ WHAT, WAY, PERCENT, UM, WORTH = range(5)  # columns of the first table
 ALL = "*"  # the row of all points together
 
 
-class TaskMoves(StudyPanel):
+class TaskMoves(Prices, StudyPanel):
     """The panel; `costs` are the prices of a file, None without one."""
 
     study, name, icon, guide = "moves", "SensMoves", "Sens_Moves", "4. What if"
@@ -40,7 +40,7 @@ class TaskMoves(StudyPanel):
 
     # -- the form ----------------------------------------------------------------------------------------------------
     def asked(self):
-        self.costs, self.costs_path, self.undo_name = None, "", ""
+        self.costs, self.undo_name = None, ""
         unit, self.mm = length_unit()
         rows, row = form_rows(), QtGui.QHBoxLayout()
         self.sides = [number_box(0, 1e5, 1 if unit == "mm" else 3, 10 if unit == "mm" else 0.5) for _ in range(3)]
@@ -106,24 +106,6 @@ class TaskMoves(StudyPanel):
         path = settings.get("costs")
         if path and Path(path).is_file():
             self.load_costs(path)
-
-    def ask_costs(self, *_) -> None:
-        """Ask for a file of prices and read it."""
-        path = messages.ask_open(translate("Sens", "Prices of tolerances"), "CSV (*.csv)")
-        if path:
-            self.load_costs(path)
-
-    def load_costs(self, path) -> None:
-        """Take the prices of a file; a refusal is shown, and the prices stay."""
-        try:
-            self.costs = costs_csv.load(path, self.core)
-        except Refused as error:
-            messages.show(messages.words(error))
-            return
-        self.costs_path = str(path)
-        self.prices.setText(Path(path).name)
-        self.prices.setToolTip(str(path))
-        self.forget()
 
     def work(self):
         core, room, costs = self.core, self.room(), self.costs

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import sys
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
@@ -244,3 +245,26 @@ def differences(before: dict, after: dict) -> list[str]:
             if name in after and after[name].get(prop) != value:
                 found.append(f"{name}.{prop}: {value[:120]} -> {str(after[name].get(prop))[:120]}")
     return found
+
+
+@contextmanager
+def study(open_panel, machine):
+    """The panel of a study beside the ranking of the machine; closed afterwards."""
+    import FreeCADGui as Gui
+
+    from sensworkbench.gui.qt import pump
+
+    run("Sens_Sensitivity")
+    made = open_panel(machine)
+    pump(60)
+    yield made
+    Gui.Control.closeDialog()
+    pump(60)
+
+
+def rows(view):
+    """The rows of a study's table by the key that each carries."""
+    from sensworkbench.gui.task_study import KEY
+
+    items = [view.topLevelItem(i) for i in range(view.topLevelItemCount())]
+    return {item.data(0, KEY): item for item in items}

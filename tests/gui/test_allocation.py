@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
 import pytest
 
 from sensworkbench.document import extract, tables, tree
@@ -12,17 +11,13 @@ from sensworkbench.gui import task_allocation
 from sensworkbench.gui.qt import pump
 from sensworkbench.studies.allocation import Target, allocation_study
 
-from .conftest import close_messages, differences, messages, run, screenshot, state
+from .conftest import close_messages, differences, messages, screenshot, state, study
 
 
 @pytest.fixture
 def panel(machine, machine_doc):
-    run("Sens_Sensitivity")
-    made = task_allocation.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
+    with study(task_allocation.open_panel, machine) as made:
+        yield made
 
 
 def test_it_shows_what_the_study_finds(panel, machine):

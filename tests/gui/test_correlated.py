@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import FreeCADGui as Gui
 import pytest
 
 from sensworkbench.core.fitted import DECLARED, Constant, FittedModel, uncertainty_of
@@ -15,26 +14,17 @@ from sensworkbench.gui import messages as window
 from sensworkbench.gui import review, task_correlated
 from sensworkbench.gui.files import RESOURCES
 from sensworkbench.gui.qt import Qt, pump
-from sensworkbench.gui.task_study import KEY
 from sensworkbench.studies.correlated import correlated_study
 
-from .conftest import close_messages, differences, messages, run, screenshot, state
+from .conftest import close_messages, differences, messages, rows, screenshot, state, study
 
 TRACED = Path(__file__).resolve().parents[1] / "data" / "schema-1-traced.FCStd"
 
 
 @pytest.fixture
 def panel(machine, machine_doc):
-    run("Sens_Sensitivity")
-    made = task_correlated.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
-
-
-def rows(view):
-    return {view.topLevelItem(i).data(0, KEY): view.topLevelItem(i) for i in range(view.topLevelItemCount())}
+    with study(task_correlated.open_panel, machine) as made:
+        yield made
 
 
 def tick(panel, symbol, factor=None):

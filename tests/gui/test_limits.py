@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
 import numpy as np
 import pytest
 
@@ -13,24 +12,15 @@ from sensworkbench.formats import limits_json
 from sensworkbench.gui import messages as window
 from sensworkbench.gui import task_limits
 from sensworkbench.gui.qt import pump
-from sensworkbench.gui.task_study import KEY
 from sensworkbench.studies.limits import limits_study
 
-from .conftest import close_messages, run, screenshot
+from .conftest import close_messages, rows, screenshot, study
 
 
 @pytest.fixture
 def panel(machine, machine_doc):
-    run("Sens_Sensitivity")
-    made = task_limits.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
-
-
-def rows(view):
-    return {view.topLevelItem(i).data(0, KEY): view.topLevelItem(i) for i in range(view.topLevelItemCount())}
+    with study(task_limits.open_panel, machine) as made:
+        yield made
 
 
 def test_it_shows_what_the_study_finds_and_judges_it(panel, machine):

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import FreeCADGui as Gui
 import numpy as np
 import pytest
 
@@ -16,17 +15,13 @@ from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_study import KEY
 from sensworkbench.studies.moves import TOOL, mean_square, moved, moves_study
 
-from .conftest import close_messages, differences, messages, run, screenshot, state
+from .conftest import close_messages, differences, messages, screenshot, state, study
 
 
 @pytest.fixture
 def panel(machine, machine_doc):
-    run("Sens_Sensitivity")
-    made = task_moves.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
+    with study(task_moves.open_panel, machine) as made:
+        yield made
 
 
 def choose(panel, tab: int, key):

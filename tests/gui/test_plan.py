@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 
-import FreeCADGui as Gui
 import pytest
 
 from sensworkbench.document import extract, studies
@@ -13,27 +12,17 @@ from sensworkbench.formats import plan_json
 from sensworkbench.gui import messages as window
 from sensworkbench.gui import task_plan
 from sensworkbench.gui.files import RESOURCES
-from sensworkbench.gui.qt import pump
-from sensworkbench.gui.task_study import KEY
 from sensworkbench.studies.plan import PlanRequest, plan_study
 
-from .conftest import close_messages, messages, run, screenshot
+from .conftest import close_messages, messages, rows, screenshot, study
 
 GRID = f"{RESOURCES}/examples/plan_grid.csv"
 
 
 @pytest.fixture
 def panel(machine):
-    run("Sens_Sensitivity")
-    made = task_plan.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
-
-
-def rows(view):
-    return {view.topLevelItem(i).data(0, KEY): view.topLevelItem(i) for i in range(view.topLevelItemCount())}
+    with study(task_plan.open_panel, machine) as made:
+        yield made
 
 
 def test_it_shows_what_the_study_finds_and_the_document_keeps_it(panel, machine):

@@ -9,7 +9,6 @@ import subprocess
 import sys
 
 import FreeCAD as App
-import FreeCADGui as Gui
 import pytest
 
 from sensworkbench.core.workspace import Cancelled
@@ -20,17 +19,13 @@ from sensworkbench.gui.preferences import write_field
 from sensworkbench.gui.qt import pump
 from sensworkbench.gui.task_study import KEY
 
-from .conftest import close_messages, differences, messages, run, screenshot, state
+from .conftest import close_messages, differences, messages, screenshot, state, study
 
 
 @pytest.fixture
 def panel(machine):
-    run("Sens_Sensitivity")
-    made = task_sweep.open_panel(machine)
-    pump(60)
-    yield made
-    Gui.Control.closeDialog()
-    pump(60)
+    with study(task_sweep.open_panel, machine) as made:
+        yield made
 
 
 def ask(panel):
