@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..core.driver import TIME
 from ..core.errors import component
 from . import evidence
 from .acceptance import beat, judge
@@ -18,7 +19,7 @@ from .design import ALL_SYMBOLS
 from .freeform import FreeScan
 from .noise import duration, slow_drift
 from .problem import State, Step
-from .search import ScoredTerm, surface_candidate
+from .search import ScoredTerm, scored, surface_candidate
 from .surface import Surface, locate, separable, sharpen
 from .unlogged import Unlogged, uneven_noise, unlogged_driver
 
@@ -95,12 +96,12 @@ def rest(state: State) -> Rest:
     dropped = _still_there(state, model)
     refused = [x for x in state.steps if x.refused is not None and state.significant(x) and x.size > s.floor]
     structured = (first.p < s.alpha and first.size > s.floor) or bool(refused) or bool(dropped) or bool(beats)
-    if state.drifts:  # nothing smooth can be told from a drift; what predicts readings left out is modelled
+    if state.drifts:
         lasts = round(duration(max(state.memory.values())))
         drift = slow_drift(state.fit_with(model), state.problem.readings, s)
-        return Rest(
-            first, (*beats, *_modelled(state, model, replace(state, memory={}))), True, None, drift or lasts, dropped
-        )
+        forms = _modelled(state, model, replace(state, memory={}))
+        lasting = (c for c in forms if _lasts(state, [*model, *forms], c))
+        return Rest(first, (*beats, *lasting), True, None, drift or lasts, dropped)
     drift = slow_drift(state.fit_with(model), state.problem.readings, s)
     smooth: tuple[ScoredTerm, ...] = ()
     if structured or drift is not None:
@@ -110,6 +111,21 @@ def rest(state: State) -> Rest:
         drift = slow_drift(state.fit_with([*model, *smooth]), state.problem.readings, s)
     hidden = None if structured else _unlogged(state, model)
     return Rest(first, (*beats, *smooth), structured or drift is not None, hidden, drift, dropped)
+
+
+def _lasts(state: State, model, form: ScoredTerm) -> bool:
+    """Does a form say something of later readings: is it of no time, or a warm-up that has settled at the end?
+
+    A form of time follows a drift between the readings; beyond them it is held at its last value, which says nothing
+    where the drift goes on.
+    """
+    columns = state.problem.readings.columns
+    if TIME not in form.driver.columns:
+        return True
+    rows = state.rows_with(state.fit_with(model), [c for c in model if c is not form])
+    motion = form.vectors(columns) @ scored(rows, form.symbol, form.regressor, columns).coefficients
+    late = columns[TIME] >= columns[TIME].max() - state.settings.settled_last * np.ptp(columns[TIME])
+    return float(np.ptp(motion[late])) <= state.settings.settled_range * float(np.ptp(motion))
 
 
 def _modelled(state: State, model, quiet: State, first: Remainder | None = None) -> tuple[ScoredTerm, ...]:

@@ -84,6 +84,8 @@ class TraceSettings:
     tries: int = _setting(3, COUNT, "drivers tried per round before it is given up")
     leaders: int = _setting(3, COUNT, "of each shape that are tried as the first of two")
     rounds: int = _setting(3, COUNT, "of settling effects beside each other; they settle in one or two")
+    settled_last: float = _setting(0.2, SHARE, "of the session, at its end, in which a warm-up must have settled")
+    settled_range: float = _setting(0.15, SHARE, "of its range that it may still change there, to be held beyond")
     settled: float = _setting(1.0, CHI2, "a gain below it changes no decision, and ends the settling")
     polished: float = _setting(0.5, CHI2, "the same when final parameters are fitted")
     smooth_most: int = _setting(3, COUNT, "unnamed surfaces that a prediction may hold")

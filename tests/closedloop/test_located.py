@@ -93,6 +93,25 @@ def test_a_climb_of_some_minutes_is_modelled_beside_correlated_noise():
     assert modelled >= 3
 
 
+def wanders(seed: int):
+    """Height over one place that goes on rising until the end, with a room that has nothing to do with it."""
+    rng = np.random.default_rng(seed)
+    t = 60.0 * np.arange(400)
+    full = np.full((len(t), 3), np.nan)
+    full[:, 2] = 20e-3 * t / t[-1] * (1 + 0.3 * np.sin(t / 3000)) + 0.4e-3 * rng.normal(size=len(t))
+    columns = {"t": t, "temp_room": 20 + 0.02 * np.cumsum(rng.normal(size=len(t)))}
+    declared = {f"E{a}{b}": {"shape": "polynomial", "degree": 3} for a in "XYZABC" for b in "XYZ"}
+    return stage(full, np.zeros((len(t), 3)), columns, declared)
+
+
+@pytest.mark.parametrize("seed", (1, 2, 3))
+def test_a_drift_that_goes_on_is_told_and_not_held_beyond_its_end(seed):
+    """A form of time would follow it to .4 um, and be wrong by all of it for the next session."""
+    found = trace(*wanders(seed), seed=seed)
+    assert found.verdict == "unexplained" and not found.effects
+    assert found.error["augmented"].in_sample["rms_um"] == found.error["declared"].in_sample["rms_um"]
+
+
 @pytest.mark.parametrize(("kind", "seed"), [("saturating", 3), ("delayed", 8)])
 def test_a_shape_that_no_catalogue_holds_is_modelled_where_it_is_located(kind, seed):
     """Slow columns that are nearly alike, and a structure as slow as noise of long memory."""
